@@ -6,6 +6,7 @@
 mod curve;
 pub mod gates;
 pub mod ladder;
+mod run;
 mod rung;
 mod value;
 pub mod wrong;
@@ -15,8 +16,9 @@ use std::fmt;
 use proctor_scene::simulation::Simulation;
 
 pub use self::curve::{Curve, CurvePoint, Drawing};
+pub use self::run::Run;
 pub use self::rung::Rung;
-pub use self::value::{Case, Plan, Run};
+pub use self::value::{Case, Plan};
 use crate::convergence::ConvergenceTable;
 
 /// How much of the ladder is run.

@@ -5,6 +5,7 @@
 
 pub mod case;
 pub mod cases;
+pub mod check;
 pub mod convergence;
 pub mod element;
 pub mod exact;

@@ -4,14 +4,12 @@
 mod facts;
 mod ironing;
 
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{LazyLock, Mutex, OnceLock};
 
 use proctor_scene::simulation::Options;
-use proctor_verification::case::wrong::Reference;
 use proctor_verification::case::{Case, Gate, Relation, Rung, Size, Solved, Verdict, all, find};
-use proctor_verification::sensitivity::{Number, Reaction, reactions};
+use proctor_verification::check::{self, Runs, failing};
 
 /// Errors and balances that no gate of the quick ladder judges, by case, and why. What is not here is judged.
 const SHOWN: &[(&str, &[&str], &str)] = &[
@@ -19,6 +17,11 @@ const SHOWN: &[(&str, &[&str], &str)] = &[
         "boussinesq",
         &["L2(u), all", "L2(stress)"],
         "the displacement under a nodal load grows with 1/h, stresses with it",
+    ),
+    (
+        "incompressible-box",
+        &["u_z at (.5,.5,.5)", "L2(u), r >= 0.2 m", "residual"],
+        "beside the settlement of the patch; the whole ladder judges the order of L2, and *boussinesq* the residual",
     ),
     (
         "base-acceleration",
@@ -90,16 +93,7 @@ const SHOWN: &[(&str, &[&str], &str)] = &[
     ),
 ];
 
-/// A ladder, rung by rung.
-type Ladder = Vec<(Rung, Solved)>;
-
-/// Solves a rung on one thread.
-fn solve(case: &Case, rung: &Rung) -> Solved {
-    let mut progress = |share| assert!((0.0..=1.0).contains(&share));
-    let solved = case.solve(rung, &one_thread(), &mut progress);
-    solved.unwrap_or_else(|error| panic!("{error}"))
-}
-
+/// One thread.
 fn one_thread() -> Options {
     Options {
         threads: Some(1),
@@ -107,37 +101,14 @@ fn one_thread() -> Options {
     }
 }
 
-/// The short ladder of a case with the correct reference, then those with the wrong ones on the rungs that they are run on: one run
-/// of a rung for all of them where a run does not depend on the reference.
-fn ladders(case: &Case) -> &'static [Ladder] {
-    static RUNS: LazyLock<Vec<OnceLock<Vec<Ladder>>>> =
+/// The short ladders of a case, with the correct reference and with the wrong ones, run once.
+fn ladders(case: &Case) -> &'static [Runs] {
+    static RUNS: LazyLock<Vec<OnceLock<Vec<Runs>>>> =
         LazyLock::new(|| all().iter().map(|_| OnceLock::new()).collect());
     let place = all().iter().position(|other| other.name() == case.name());
     let place = place.unwrap_or_else(|| panic!("no case {}", case.name()));
     RUNS[place].get_or_init(|| {
-        let wrong = case.wrong().iter().map(|wrong| Reference::with(*wrong));
-        let references: Vec<_> = [Reference::CORRECT].into_iter().chain(wrong).collect();
-        let mut ladders = vec![vec![]; references.len()];
-        for rung in case.rungs(Size::Quick) {
-            let once = case.solve_against(&rung, &one_thread(), &references);
-            let all: Vec<_> = match once {
-                Some(all) => {
-                    let all = all.unwrap_or_else(|error| panic!("{error}"));
-                    all.into_iter().map(Some).collect()
-                }
-                None => {
-                    let wrong = case.wrong().iter().map(|wrong| {
-                        let is_run = (wrong.on)(&rung);
-                        is_run.then(|| solve(&case.with(*wrong), &rung))
-                    });
-                    [Some(solve(case, &rung))].into_iter().chain(wrong).collect()
-                }
-            };
-            for (ladder, solved) in ladders.iter_mut().zip(all) {
-                ladder.extend(solved.map(|solved| (rung.clone(), solved)));
-            }
-        }
-        ladders
+        check::ladders(case, &one_thread()).unwrap_or_else(|error| panic!("{error}"))
     })
 }
 
@@ -146,91 +117,36 @@ fn quick(case: &Case) -> &'static [(Rung, Solved)] {
     &ladders(case)[0]
 }
 
-/// Does a check of every case, on as many threads as there are; says of all that fail at once.
-fn of_all(check: impl Fn(&Case) + Sync) {
-    let (next, failed) = (AtomicUsize::new(0), Mutex::new(vec![]));
+/// Every gate holds, has its reason and reacts to the number that it names, and every wrong reference breaks its gates; on as many
+/// threads as there are, and with all faults of all cases at once.
+#[test]
+fn no_case_has_a_fault() {
+    let (next, found) = (AtomicUsize::new(0), Mutex::new(vec![]));
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    let check = |case: &Case| {
+        let ladders = ladders(case);
+        errors_are_those_of_their_values(&ladders[0]);
+        let own = SHOWN.iter().filter(|(of, ..)| *of == case.name());
+        let shown: Vec<&str> = own
+            .flat_map(|(_, names, _)| names.iter().copied())
+            .collect();
+        let faults = check::faults(case, ladders, &shown);
+        let faults = faults
+            .into_iter()
+            .map(|fault| format!("{}: {fault}", case.name()));
+        found.lock().expect("no thread panics here").extend(faults);
+    };
     std::thread::scope(|scope| {
         for _ in 0..threads {
             scope.spawn(|| {
                 while let Some(case) = all().get(next.fetch_add(1, Ordering::Relaxed)) {
-                    if catch_unwind(AssertUnwindSafe(|| check(case))).is_err() {
-                        failed.lock().expect("no thread fails here").push(case.name());
-                    }
+                    check(case);
                 }
             });
         }
     });
-    let failed = failed.into_inner().expect("no thread fails here");
-    assert!(failed.is_empty(), "{failed:?}: see above");
-}
-
-/// Lines of the gates that fail.
-fn failing(verdict: &Verdict) -> Vec<String> {
-    let failed = verdict.gates.iter().filter(|gate| !gate.passed());
-    failed
-        .map(|g| format!("{}: {:e} {:?} {:e}", g.name, g.value, g.relation, g.bound))
-        .collect()
-}
-
-/// All gates hold, none does without any run, each has its reason, and each fails as soon as the number that it names is off by
-/// twice its bound, and for no other number.
-#[test]
-fn every_gate_holds_and_reacts_to_the_number_that_it_names() {
-    of_all(|case| {
-        let solved = quick(case);
-        let verdict = case.judge(Size::Quick, solved);
-        assert_eq!(failing(&verdict), Vec::<String>::new(), "{}", case.name());
-        assert!(verdict.passed(), "{}", case.name());
-        let nothing = case.judge(Size::Quick, &[]);
-        assert_eq!(failing(&nothing).len(), nothing.gates.len());
-        errors_are_those_of_their_values(solved);
-        let mut judged = vec![];
-        for Reaction { gate, to } in reactions(case, Size::Quick, solved) {
-            let name = format!("{}: {}", case.name(), gate.name);
-            assert!(gate.reason.len() > 8, "{name}: without a reason");
-            assert!(!to.is_empty(), "{name}: nothing makes it fail");
-            for Number { rung, quantity } in to {
-                judged.push(quantity);
-                assert!(name.contains(quantity), "{name}: fails for {quantity}, {rung}");
-            }
-        }
-        let shown = |name| {
-            let mut own = SHOWN.iter().filter(|(of, ..)| *of == case.name());
-            own.any(|(_, names, _)| names.contains(&name))
-        };
-        for (rung, run) in solved {
-            for q in &run.quantities {
-                let should_be = q.error.is_some() || q.exact == Some(0.0);
-                let seen = !should_be || judged.contains(&q.name) || shown(q.name);
-                assert!(seen, "{}, {}: no gate judges {}", case.name(), rung.label, q.name);
-            }
-        }
-    });
-}
-
-/// Wrong references fail the gates that they must, and hold those that they must not touch.
-#[test]
-fn every_wrong_reference_breaks_its_gates() {
-    of_all(|case| {
-        for (wrong, solved) in case.wrong().iter().zip(&ladders(case)[1..]) {
-            let verdict = case.with(*wrong).judge(Size::Quick, solved);
-            let mut broken = 0;
-            for gate in &verdict.gates {
-                // Where some rungs alone are run, the gates on others say nothing.
-                let own = |(rung, _): &(Rung, Solved)| gate.name.starts_with(&rung.label);
-                if solved.len() < case.rungs(Size::Quick).len() && !solved.iter().any(own) {
-                    continue;
-                }
-                let name = format!("{}, wrong {}: {}", case.name(), wrong.name, gate.name);
-                broken += usize::from(!gate.passed());
-                if let Some(must_fail) = wrong.must_fail(&gate.name) {
-                    assert_eq!(!gate.passed(), must_fail, "{name}: {:e}", gate.value);
-                }
-            }
-            assert!(broken > 0, "{}: a wrong {} breaks nothing", case.name(), wrong.name);
-        }
-    });
+    let found = found.into_inner().expect("no thread panics here");
+    assert!(found.is_empty(), "{found:#?}");
 }
 
 /// Cases whose reference is the run of another one.
@@ -276,7 +192,10 @@ fn errors_are_those_of_their_values(solved: &[(Rung, Solved)]) {
 #[test]
 fn cases_have_distinct_names_and_are_found_by_them() {
     for case in all() {
-        assert_eq!(find(case.name()).map(|found| found.name()), Some(case.name()));
+        assert_eq!(
+            find(case.name()).map(|found| found.name()),
+            Some(case.name())
+        );
         assert!(!case.question().is_empty());
     }
     assert!(find("no-such-case").is_none());
@@ -291,7 +210,9 @@ fn rungs_have_distinct_labels_and_sound_scenes() {
                 assert!(rungs[..i].iter().all(|other| other.label != rung.label));
                 let scene = case.scene_of(rung);
                 let scene = scene.unwrap_or_else(|e| panic!("{}: {e}", rung.label));
-                scene.check().unwrap_or_else(|e| panic!("{}: {e}", rung.label));
+                scene
+                    .check()
+                    .unwrap_or_else(|e| panic!("{}: {e}", rung.label));
             }
         }
     }

@@ -73,6 +73,22 @@ impl Runs<'_> {
         table
     }
 
+    /// Largest value of a quantity on the rungs of a variant; NaN where one of them failed.
+    #[must_use]
+    pub fn worst(&self, variant: Option<&str>, name: &str) -> f64 {
+        let own = |rung: &&Rung| variant.is_none_or(|variant| rung.variant == variant);
+        let values = self.rungs.iter().filter(own);
+        let values = values.map(|rung| self.value(&rung.label, name));
+        // `max` would drop a NaN, and with it a rung that failed.
+        values.fold(0.0, |worst, value| {
+            if value > worst || value.is_nan() {
+                value
+            } else {
+                worst
+            }
+        })
+    }
+
     /// A gate on the finest rung and the ladder of a variant, whose name it has first.
     #[must_use]
     pub fn gate_of(&self, variant: &str, rule: &GateRule) -> Gate {
@@ -107,6 +123,8 @@ enum Number {
     Error,
     /// Its value.
     Value,
+    /// The largest of its values on all rungs of the variant.
+    Worst,
     /// The observed order of its error.
     Order,
     /// One over that order.
@@ -120,6 +138,8 @@ enum Bound {
     Of([f64; 2]),
     /// By the rung, of which it is a function.
     By(fn(&Rung) -> f64),
+    /// By the width over which dispersion of second order spreads a front on its way along a length.
+    Spread { length: f64, share: f64, power: f64 },
 }
 
 /// A gate as data.
@@ -131,6 +151,12 @@ pub struct GateRule {
     bound: Bound,
     reasons: [&'static str; 2],
     on: fn(&Rung) -> bool,
+    /// The one size that it judges, where it judges one alone.
+    size: Option<Size>,
+    /// Whether its name begins with the label of the rung.
+    by_rung: bool,
+    /// Its name, where it has one of its own.
+    name: Option<&'static str>,
 }
 
 /// A gate on the relative error of a quantity: of the finest rung, or of each.
@@ -143,6 +169,12 @@ pub const fn error(quantity: &'static str) -> GateRule {
 #[must_use]
 pub const fn value(quantity: &'static str) -> GateRule {
     GateRule::new(Number::Value, quantity)
+}
+
+/// A gate on the largest value of a quantity on all rungs.
+#[must_use]
+pub const fn worst(quantity: &'static str) -> GateRule {
+    GateRule::new(Number::Worst, quantity)
 }
 
 /// A gate on the observed order of a quantity between the two finest rungs.
@@ -167,6 +199,9 @@ impl GateRule {
             bound: Bound::Of([f64::NAN; 2]),
             reasons: [""; 2],
             on: |_| true,
+            size: None,
+            by_rung: false,
+            name: None,
         }
     }
 
@@ -192,11 +227,35 @@ impl GateRule {
         self
     }
 
+    /// An upper bound that is a share of a power of the width w = (h/L)^(2/3), over which dispersion of second order spreads a front
+    /// on a mesh of the finest rung, on a way along a length L \[m\].
+    #[must_use]
+    pub const fn at_most_spread(
+        mut self,
+        length: f64,
+        [share, power]: [f64; 2],
+        reason: &'static str,
+    ) -> Self {
+        self.bound = Bound::Spread {
+            length,
+            share,
+            power,
+        };
+        self.reasons = [reason; 2];
+        self
+    }
+
     /// A lower bound and its reason.
     #[must_use]
-    pub const fn at_least(mut self, bound: f64, reason: &'static str) -> Self {
+    pub const fn at_least(self, bound: f64, reason: &'static str) -> Self {
+        self.at_least_of([bound; 2], reason)
+    }
+
+    /// Lower bounds of the short ladder and of the full one, and their reason.
+    #[must_use]
+    pub const fn at_least_of(mut self, bounds: [f64; 2], reason: &'static str) -> Self {
         self.relation = Relation::AtLeast;
-        self.bound = Bound::Of([bound; 2]);
+        self.bound = Bound::Of(bounds);
         self.reasons = [reason; 2];
         self
     }
@@ -205,6 +264,34 @@ impl GateRule {
     #[must_use]
     pub const fn on(mut self, rungs: fn(&Rung) -> bool) -> Self {
         self.on = rungs;
+        self
+    }
+
+    /// In the full ladder alone.
+    #[must_use]
+    pub const fn full_alone(mut self) -> Self {
+        self.size = Some(Size::Full);
+        self
+    }
+
+    /// In the short ladder alone.
+    #[must_use]
+    pub const fn short_alone(mut self) -> Self {
+        self.size = Some(Size::Quick);
+        self
+    }
+
+    /// By a name of its own, in which `{quantity}` stands for that of the quantity and `{label}` for that of the rung.
+    #[must_use]
+    pub const fn named(mut self, name: &'static str) -> Self {
+        self.name = Some(name);
+        self
+    }
+
+    /// By a name that begins with the label of the finest rung.
+    #[must_use]
+    pub const fn by_rung(mut self) -> Self {
+        self.by_rung = true;
         self
     }
 
@@ -219,6 +306,7 @@ impl GateRule {
         let value = match self.number {
             Number::Error => runs.error(label, name),
             Number::Value => runs.value(label, name),
+            Number::Worst => runs.worst(variant, name),
             Number::Order => runs.order(variant, name),
             Number::ReciprocalOrder => 1.0 / runs.order(variant, name),
         };
@@ -226,15 +314,27 @@ impl GateRule {
         let bound = match self.bound {
             Bound::Of(bounds) => bounds[full],
             Bound::By(bound) => rung.map_or(f64::NAN, bound),
+            Bound::Spread {
+                length,
+                share,
+                power,
+            } => rung.map_or(f64::NAN, |rung| {
+                let width = libm::pow(rung.cell / length, 2.0 / 3.0);
+                share * libm::pow(width, power)
+            }),
         };
-        let mut title = match (self.number, scope) {
-            (Number::Error | Number::Value, Scope::Rungs) => format!("{label}: {name}"),
+        let by_rung = self.by_rung || scope == Scope::Rungs;
+        let mut title = match (self.number, by_rung) {
+            (Number::Error | Number::Value, true) => format!("{label}: {name}"),
             (Number::Error, _) => format!("error of {name}, {label}"),
-            (Number::Value, _) => format!("{name}, {label}"),
+            (Number::Value | Number::Worst, _) => format!("{name}, {label}"),
             (Number::Order, _) => format!("observed order of {name}"),
             (Number::ReciprocalOrder, _) => format!("one over the observed order of {name}"),
         };
-        if let (Scope::Variants, Some(variant)) = (scope, variant) {
+        if let Some(template) = self.name {
+            title = (template.replace("{quantity}", name)).replace("{label}", label);
+        }
+        if let (Scope::Variants, Some(variant), false) = (scope, variant, by_rung) {
             title = format!("{variant}: {title}");
         }
         Gate {
@@ -286,7 +386,10 @@ pub(crate) fn verdict(
 ) -> Verdict {
     let mut verdict = Verdict::default();
     let on = |rung: Option<&Rung>| -> Vec<Gate> {
-        let acts = |gate: &&GateRule| rung.is_none_or(|rung| (gate.on)(rung));
+        let acts = |gate: &&GateRule| {
+            gate.size.is_none_or(|size| size == runs.size)
+                && rung.is_none_or(|rung| (gate.on)(rung))
+        };
         let own = gates.iter().filter(acts);
         own.map(|gate| gate.gate(runs, scope, rung)).collect()
     };

@@ -13,10 +13,10 @@ pub struct Wrong {
     pub wrong: f64,
     /// Whether the gate of a name must fail.
     breaks: fn(&str) -> bool,
-    /// Whether all other gates must hold.
-    only: bool,
+    /// Whether the gate of a name, one that it need not break, must hold.
+    spares: fn(&str) -> bool,
     /// The rungs that show it, where a rung must be run again for it.
-    pub on: fn(&Rung) -> bool,
+    on: fn(&Rung) -> bool,
 }
 
 impl Wrong {
@@ -34,7 +34,7 @@ impl Wrong {
             correct,
             wrong,
             breaks: |_| true,
-            only: false,
+            spares: |_| false,
             on: |_| true,
         }
     }
@@ -50,7 +50,14 @@ impl Wrong {
     #[must_use]
     pub const fn breaks_only(mut self, gates: fn(&str) -> bool) -> Self {
         self.breaks = gates;
-        self.only = true;
+        self.spares = |_| true;
+        self
+    }
+
+    /// The same, which must leave alone certain gates of those that it need not break.
+    #[must_use]
+    pub const fn spares(mut self, gates: fn(&str) -> bool) -> Self {
+        self.spares = gates;
         self
     }
 
@@ -61,11 +68,17 @@ impl Wrong {
         self
     }
 
+    /// Whether a rung shows it.
+    #[must_use]
+    pub fn is_shown_by(&self, rung: &Rung) -> bool {
+        (self.on)(rung)
+    }
+
     /// Whether the gate of a name must fail; `None` where it may.
     #[must_use]
     pub fn must_fail(&self, gate: &str) -> Option<bool> {
         let fails = (self.breaks)(gate);
-        (fails || self.only).then_some(fails)
+        (fails || (self.spares)(gate)).then_some(fails)
     }
 }
 

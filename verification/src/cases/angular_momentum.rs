@@ -16,16 +16,13 @@ use std::f64::consts::SQRT_2;
 
 use super::prelude::*;
 
-/// Side of the block \[m\].
-const SIDE: f64 = 0.5;
-/// Half the side of the mesh, about the centre of the block \[m\].
-const HALF_MESH: f64 = 0.5;
+const SIDE: f64 = 0.5; // Side of the block [m]
+const HALF_MESH: f64 = 0.5; // Half the side of the mesh, about the centre of the block [m]
 /// Young's modulus \[Pa\], Poisson's ratio and density \[kg/m³\].
 const YOUNG: f64 = 1e6;
 const POISSON: f64 = 0.3;
 const DENSITY: f64 = 1000.0;
-/// Speed of the corners over the wave speed.
-const SPEED: f64 = 2e-2;
+const SPEED: f64 = 2e-2; // Speed of the corners over the wave speed
 /// Name of what the angular momentum changes by.
 const DRIFT: &str = "angular momentum lost in a turn, over it";
 /// The same, as a figure that nothing exact says.
@@ -142,12 +139,8 @@ fn start(_: &Rung, _: Reference, options: Options) -> Options {
 
 fn compare(run: Run<'_>) -> Result<Found, Failure> {
     let (steps, reference) = (run.equal_steps(), run.reference.of(&WRONG_MOMENTUM));
-    let Run {
-        rung,
-        simulation,
-        observer,
-        ..
-    } = run;
+    let rung = run.rung;
+    let (simulation, observer) = (run.simulation, run.observer);
     let energy = |simulation: &Simulation| simulation.kinetic_energy() + simulation.strain_energy();
     let (start, first, mut gain) = (momentum(simulation), energy(simulation), 0.0_f64);
     let (mut points, mut largest) = (vec![], 0.0_f64);
@@ -187,7 +180,7 @@ fn lines(runs: &Runs<'_>) -> Verdict {
         let mut line = |text| {
             verdict
                 .for_the_record
-                .push(format!("{}: {text}", rung.label))
+                .push(format!("{}: {text}", rung.label));
         };
         if !is_apic(rung) {
             line(format!(

@@ -12,16 +12,11 @@
 use super::prelude::*;
 use crate::exact::bar::{Bar as Exact, FarEnd};
 
-/// Length \[m\].
-const LENGTH: f64 = 25.0;
-/// Young's modulus \[Pa\]; Poisson's ratio is zero.
-const YOUNG: f64 = 100.0;
-/// Density \[kg/m³\].
-const DENSITY: f64 = 1.0;
-/// Velocity amplitude over wave speed.
-const SPEED: f64 = 1e-4;
-/// Periods until the comparison.
-const PERIODS: f64 = 1.125;
+const LENGTH: f64 = 25.0; // Length [m]
+const YOUNG: f64 = 100.0; // Young's modulus [Pa]; Poisson's ratio is zero
+const DENSITY: f64 = 1.0; // Density [kg/m³]
+const SPEED: f64 = 1e-4; // Velocity amplitude over wave speed
+const PERIODS: f64 = 1.125; // Periods until the comparison
 /// Empty cells beyond the free end.
 const AIR: usize = 2;
 const WRONG_STIFFNESS: Wrong = Wrong::factor("stiffness", 1.01);

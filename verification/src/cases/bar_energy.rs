@@ -13,28 +13,20 @@
 use super::prelude::*;
 use crate::exact::bar::{Bar as Exact, FarEnd};
 
-/// Length \[m\].
-const LENGTH: f64 = 25.0;
-/// Young's modulus \[Pa\]; Poisson's ratio is zero.
-const YOUNG: f64 = 100.0;
-/// Density \[kg/m³\]; waves run at 10 m/s.
-const DENSITY: f64 = 1.0;
+const LENGTH: f64 = 25.0; // Length [m]
+const YOUNG: f64 = 100.0; // Young's modulus [Pa]; Poisson's ratio is zero
+const DENSITY: f64 = 1.0; // Density [kg/m³]; waves run at 10 m/s
 /// Variants, with the velocity amplitude over the wave speed.
 const VARIANTS: [(&str, f64); 2] = [("large", 0.1), ("small", 1e-4)];
-/// Periods of small vibrations.
-const PERIODS: f64 = 10.0;
-/// `c dt/h`.
-const COURANT: f64 = 0.2;
-/// Empty cells beyond the free end.
-const AIR: usize = 4;
-/// Name of the energy at the end.
-const ENERGY: &str = "energy after ten periods, over the initial";
+const PERIODS: f64 = 10.0; // Periods of small vibrations
+const COURANT: f64 = 0.2; // `c dt/h`
+const AIR: usize = 4; // Empty cells beyond the free end
+const ENERGY: &str = "energy after ten periods, over the initial"; // Name of the energy at the end
 /// Name of the time that a run with linear functions took to break down.
 const INVERTED: &str = "periods until a particle is inverted or strained too far";
 /// What may be gained or lost of GIMP and B-splines where particles cross cells.
 const LARGE_GATE: f64 = 0.1;
-/// The same of all weighting functions with FLIP at small amplitude.
-const SMALL_GATE: f64 = 0.015;
+const SMALL_GATE: f64 = 0.015; // The same of all weighting functions with FLIP at small amplitude
 
 /// Weighting functions and transfers, row by row of the table.
 const WEIGHTINGS: [Weighting; 4] = [

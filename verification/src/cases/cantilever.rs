@@ -29,18 +29,13 @@ const HEIGHT: f64 = 1.0;
 const YOUNG: f64 = 1e6;
 const POISSON: f64 = 0.3;
 const DENSITY: f64 = 1050.0;
-/// End of the history \[s\].
-const END: f64 = 3.0;
-/// When the vertices are judged \[s\].
-const HANGING: f64 = 1.5;
-/// Interval of the history \[s\].
-const INTERVAL: f64 = 0.01;
-/// Elements of the reference over the height.
-const ELEMENTS: usize = 16;
+const END: f64 = 3.0; // End of the history [s]
+const HANGING: f64 = 1.5; // When the vertices are judged [s]
+const INTERVAL: f64 = 0.01; // Interval of the history [s]
+const ELEMENTS: usize = 16; // Elements of the reference over the height
 /// Cell sizes of all ladders \[m\]: the particle that is followed lies a sixth of a cell from the corner.
 const CELLS: [f64; 4] = [0.5, 0.25, 0.125, 0.0625];
-/// Cell size whose boundary is compared with the reference \[m\].
-const JUDGED: f64 = 0.25;
+const JUDGED: f64 = 0.25; // Cell size whose boundary is compared with the reference [m]
 
 const TIP: &str = "rms(tip)";
 const TROUGH: &str = "first trough of the tip";
@@ -55,7 +50,10 @@ const NO_SPIN: &str = "g=10, no spin";
 const UNIFORM: &str = "g=10, uGIMP";
 const NO_AUGMENTATION: &str = "g=10, uGIMP, no augmentation";
 
-const WRONG_GRAVITY: Wrong = Wrong::factor("gravity", 1.1);
+/// Four times the bound on the small swing; the large one is held by its length, and its history alone is within 5 % still.
+const WRONG_GRAVITY: Wrong = Wrong::factor("gravity", 1.1).breaks_only(|gate| {
+    gate.contains("trough") || (gate.contains(TIP) && gate.starts_with("g=1 "))
+});
 
 /// The beam that is let go.
 pub static CANTILEVER: Case = Case::new("cantilever", "Does a soft cantilever swing under its weight as it should, and does its boundary swing with it?")
@@ -316,13 +314,8 @@ fn prepare(rung: &Rung, reference: Reference) {
 }
 
 fn compare(run: Run<'_>) -> Result<Found, Failure> {
-    let Run {
-        rung,
-        reference,
-        simulation,
-        observer,
-        ..
-    } = run;
+    let (rung, reference) = (run.rung, run.reference);
+    let (simulation, observer) = (run.simulation, run.observer);
     let tip = tip_particle(simulation, rung.cell)?;
     let starts = simulation.boundary_vertices(1);
     let mut history = vec![];

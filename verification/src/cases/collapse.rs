@@ -11,26 +11,21 @@
 //! base, so that the column is strained by half a percent. `proctor verify collapse`.
 
 use super::prelude::*;
-use super::run_out::{self, FRONT, RunOut, TOP};
+use super::vocabulary::run_out::{self, FRONT, RunOut, TOP};
 
-/// Width of the columns of sand, d \[m\].
-const WIDTH: f64 = 1.0;
-/// Gravity \[m/s²\].
-const GRAVITY: f64 = 9.81;
+const WIDTH: f64 = 1.0; // Width of the columns of sand, d [m]
+const GRAVITY: f64 = 9.81; // Gravity [m/s²]
 /// Density of sand and of water \[kg/m³\].
 const SAND: f64 = 1600.0;
 const WATER_DENSITY: f64 = 1000.0;
 /// Young's modulus over the stress at the base.
 const STIFFNESS: f64 = 200.0;
 const POISSON: f64 = 0.3;
-/// Angle of friction \[°\].
-const FRICTION: f64 = 30.0;
-/// Speed of sound in water over that of falling, sqrt(2gH).
-const SOUND: f64 = 10.0;
+const FRICTION: f64 = 30.0; // Angle of friction [°]
+const SOUND: f64 = 10.0; // Speed of sound in water over that of falling, sqrt(2gH)
 /// Time of a run over that of a fall, sqrt(H/g): sand comes to rest after 3.3.
 const FALLS: f64 = 6.0;
-/// That of water, before the front reaches the end of the mesh.
-const FALLS_OF_WATER: f64 = 2.0;
+const FALLS_OF_WATER: f64 = 2.0; // That of water, before the front reaches the end of the mesh
 
 /// APIC, which does not ring where particles cross cells.
 const METHOD: Method = Method {
@@ -40,8 +35,7 @@ const METHOD: Method = Method {
 
 /// How far the front came beyond the column, over the width.
 const BEYOND: &str = "run-out over width";
-/// The same by experiment, or by Ritter.
-const PUBLISHED: &str = "published run-out over width";
+const PUBLISHED: &str = "published run-out over width"; // The same by experiment, or by Ritter
 /// Height of the heap over the width, and that of experiments.
 const HEIGHT: &str = "height over width";
 const PUBLISHED_HEIGHT: &str = "published height over width";
@@ -204,7 +198,7 @@ fn judge(runs: &Runs<'_>) -> Verdict {
     let mut verdict = Verdict::default();
     for rung in runs.rungs {
         let label = &rung.label;
-        let column = Column::of(&rung);
+        let column = Column::of(rung);
         let gates = run_out::gates(runs.solved, label, !column.is_water);
         verdict.gates.extend(gates);
         if run_of(runs.solved, label).is_none() {

@@ -24,16 +24,11 @@ use scenes::{VARIANTS, Variant};
 
 /// Name of the change of momentum among the quantities.
 const MOMENTUM: &str = "momentum lost, over that of both";
-/// Name of the largest gain of energy.
-const ENERGY: &str = "energy gained, over the initial";
-/// Name of the energy at the end.
-const LOST: &str = "energy dissipated, over the initial";
-/// Name of the duration.
-const DURATION: &str = "duration";
-/// Name of the coefficient of restitution.
-const RESTITUTION: &str = "restitution";
-/// Name of the impulse.
-const IMPULSE: &str = "impulse";
+const ENERGY: &str = "energy gained, over the initial"; // Name of the largest gain of energy
+const LOST: &str = "energy dissipated, over the initial"; // Name of the energy at the end
+const DURATION: &str = "duration"; // Name of the duration
+const RESTITUTION: &str = "restitution"; // Name of the coefficient of restitution
+const IMPULSE: &str = "impulse"; // Name of the impulse
 /// Name of what the impulse differs by from the momentum that the first bar lost.
 const BALANCE: &str = "impulse less the momentum that it took, over it";
 
@@ -180,13 +175,8 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
 }
 
 fn compare(run: Run<'_>) -> Result<Found, Failure> {
-    let Run {
-        rung,
-        reference,
-        simulation,
-        observer,
-        ..
-    } = run;
+    let (rung, reference) = (run.rung, run.reference);
+    let (simulation, observer) = (run.simulation, run.observer);
     let seen = collide(simulation, observer)?;
     let quantities = quantities(reference, &variant(rung), simulation, &seen);
     Ok(Found::new(quantities, None))

@@ -21,15 +21,13 @@ const DENSITY: f64 = 2500.0;
 const GRAVITY: f64 = 10.0;
 const TILT: f64 = 30.0;
 const FRICTION: f64 = 0.35;
-/// Friction that holds the block before the release.
-const ROUGH: f64 = 10.0;
+const ROUGH: f64 = 10.0; // Friction that holds the block before the release
 /// Distance below which the barrier pushes \[m\], and its stiffness \[Pa/m\].
 const GAP: f64 = 0.02;
 const KAPPA: f64 = 1e7;
 /// Stiffness of the tangential spring \[Pa/m\]: 0.04 mm of slip under the weight.
 const KAPPA_T: f64 = 1e8;
-/// Length of a segment \[m\].
-const SEGMENT: f64 = 0.05;
+const SEGMENT: f64 = 0.05; // Length of a segment [m]
 /// Local damping while the block settles, and for how long \[s\].
 const SETTLING: f64 = 0.6;
 const STAGE: f64 = 0.5;
@@ -43,20 +41,28 @@ const WAY: &str = "displacement";
 const TOTAL: &str = "friction of the block beyond its most";
 const VERTEX: &str = "friction of a vertex beyond its most";
 
+/// Variants, by who is the slave.
+const SLAVE: &str = "block as slave";
+const MASTER: &str = "line as slave";
 const WRONG_FRICTION: Wrong = Wrong::factor("friction", 1.1);
 
 /// The block, by who is the slave.
 pub static CORNER_BLOCK: Case = Case::new("corner-block", "Does a block with sharp corners keep to Coulomb's law wherever it rubs, as slave and as master?")
-    .ladder(Ladder::made(rungs))
-    .method(method)
+    .ladder(Ladder::sizes(
+    &[(SLAVE, &[0.25]), (MASTER, &[0.25])],
+    &[(SLAVE, &[0.25, 0.125, 0.0625]), (MASTER, &[0.25, 0.125, 0.0625])],
+))
+    .method(|_| settings(APIC, 2))
     .scene_by(scene)
     .run(compare)
-    .judge_by(judge)
+    .gates_of_rungs(&[
+    error(WAY).at_most(1e-2, "one percent is what the project promises of friction"),
+    error(TOTAL).at_most(1e-6, "Coulomb's law, but for the turn of the block's base"),
+    error(VERTEX).at_most(1e-6, "Coulomb's law at each vertex"),
+])
     .wrong_references(&[WRONG_FRICTION])
-    .studies(&[Plan::new(Ladder::made(path), &[Measure::new("displacement", WAY)], 2)])
+    .studies(&[Plan::new(Ladder::sizes(&[(SLAVE, &[0.5, 0.25])], &[(SLAVE, &[0.25, 0.125, 0.0625])]), &[Measure::new("displacement", WAY)], 2)])
     .no_guest(NO_GUEST);
-
-const VARIANTS: [&str; 2] = ["block as slave", "line as slave"];
 
 fn exact() -> Slope {
     let (sin, cos) = libm::sincos(TILT.to_radians());
@@ -95,46 +101,6 @@ fn excess(simulation: &Simulation, turn: f64) -> [f64; 2] {
     [total, vertex]
 }
 
-fn rungs(size: Size) -> Vec<Rung> {
-    let cells: &[f64] = match size {
-        Size::Quick => &[0.25],
-        Size::Full => &[0.25, 0.125, 0.0625],
-    };
-    Rung::ladders(&VARIANTS.map(|variant| (variant, cells)))
-}
-
-fn judge(runs: &Runs<'_>) -> Verdict {
-    let mut verdict = Verdict::default();
-    for rung in runs.rungs {
-        for (name, bound, reason) in [
-            (
-                WAY,
-                1e-2,
-                "one percent is what the project promises of friction",
-            ),
-            (
-                TOTAL,
-                1e-6,
-                "Coulomb's law, but for the turn of the block's base",
-            ),
-            (VERTEX, 1e-6, "Coulomb's law at each vertex"),
-        ] {
-            verdict
-                .gates
-                .push(error_at_most(runs.solved, &rung.label, name, bound, reason));
-        }
-    }
-    verdict
-}
-
-fn method(_rung: &Rung) -> Settings {
-    let method = Method {
-        transfer: TransferKind::Apic,
-        ..Method::DEFAULT
-    };
-    settings(method, 2)
-}
-
 fn scene(rung: &Rung, settings: &Settings, reference: Reference) -> Scene {
     let h = rung.cell;
     let way = exact().displacement(TIME);
@@ -146,7 +112,7 @@ fn scene(rung: &Rung, settings: &Settings, reference: Reference) -> Scene {
             .collect(),
         side: BoundarySide::Open,
     };
-    let ends = if rung.variant == VARIANTS[0] {
+    let ends = if rung.variant == SLAVE {
         [2, 1]
     } else {
         [1, 2]
@@ -180,13 +146,8 @@ fn scene(rung: &Rung, settings: &Settings, reference: Reference) -> Scene {
 }
 
 fn compare(run: Run<'_>) -> Result<Found, Failure> {
-    let Run {
-        rung,
-        reference,
-        simulation,
-        observer,
-        ..
-    } = run;
+    let (rung, reference) = (run.rung, run.reference);
+    let (simulation, observer) = (run.simulation, run.observer);
     let exact = exact();
     simulation.set_friction(1, ROUGH)?;
     run_until(simulation, STAGE, &mut *observer, |_| ())?;
@@ -201,7 +162,7 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
         run_until(simulation, STAGE + time, &mut *observer, |simulation| {
             // Forces are of the step before the vertices moved. The normals of the line do not turn.
             let now = turn(simulation);
-            let turn = if rung.variant == VARIANTS[0] {
+            let turn = if rung.variant == SLAVE {
                 turned.max(now)
             } else {
                 0.0
@@ -230,12 +191,4 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
         points,
     );
     Ok(Found::new(quantities, Some(curve)))
-}
-
-fn path(size: Size) -> Vec<Rung> {
-    let cells: &[f64] = match size {
-        Size::Quick => &[0.5, 0.25],
-        Size::Full => &[0.25, 0.125, 0.0625],
-    };
-    Rung::ladders(&[(VARIANTS[0], cells)])
 }

@@ -14,8 +14,7 @@ use super::prelude::*;
 use crate::exact::material_point::{ShearedSoil, bingham, held_dilation, to_and_fro, turned};
 use crate::exact::two_slopes::TwoSlopes;
 
-/// Density \[kg/m³\]; stresses do not ask for it.
-const DENSITY: f64 = 1.0;
+const DENSITY: f64 = 1.0; // Density [kg/m³]; stresses do not ask for it
 /// Young's modulus of all solids \[Pa\], and Poisson's ratios of those without friction and with it.
 const YOUNG: f64 = 100.0;
 const POISSON: f64 = 0.3;
@@ -30,25 +29,20 @@ const FIRM: [f64; 3] = [30.0, 0.02, 0.0];
 const DILATANT: [f64; 3] = [30.0, 0.02, 12.0];
 /// Normal stresses in the plane of shear, and across, of the soil under weight \[Pa\].
 const WEIGHT: [f64; 3] = [-0.6, -1.0, -0.75];
-/// Pressure around the soil that dilates \[Pa\].
-const PRESSURE: f64 = 1.0;
+const PRESSURE: f64 = 1.0; // Pressure around the soil that dilates [Pa]
 /// Shear modulus, viscosity and yield stress of Bingham's fluid \[Pa, Pa s, Pa\], and the rate of its shear \[1/s\].
 const MUD: [f64; 3] = [500.0, 20.0, 2.0];
 const RATE: f64 = 1.5;
-/// Bulk modulus of the fluid \[Pa\].
-const BULK: f64 = 1.0e4;
-/// Strain at the end of a path over that at which it first yields.
-const BEYOND: f64 = 4.0;
+const BULK: f64 = 1.0e4; // Bulk modulus of the fluid [Pa]
+const BEYOND: f64 = 4.0; // Strain at the end of a path over that at which it first yields
 
-/// Names of the quantities of paths.
-const STRESS: &str = "stress off by, over its size";
+const STRESS: &str = "stress off by, over its size"; // Names of the quantities of paths
 /// Steps of a path whose answer does not depend on them, and of one of order 1.
 const ANY: &[u32] = &[1, 10, 100];
 const LADDER: [&[u32]; 2] = [&[50, 100, 200], &[50, 100, 200, 400, 800]];
 /// Random states that each law returns.
 const STATES: [&[u32]; 2] = [&[500], &[5000]];
-/// The variant of returns.
-const RETURNS: &str = "returns";
+const RETURNS: &str = "returns"; // The variant of returns
 
 /// A path of strain and its answer.
 struct Path {
@@ -275,8 +269,7 @@ const PATHS: [Path; 9] = [
     },
 ];
 
-/// Most points of a curve.
-const SHOWN: u32 = 100;
+const SHOWN: u32 = 100; // Most points of a curve
 
 impl Path {
     /// The way and the stress at its beginning and after each step, in so many steps of all parts but the first.

@@ -42,8 +42,7 @@ const KAPPA: f64 = 7e4;
 const KAPPA_T: f64 = 1e5;
 const FRICTION: f64 = 0.2;
 const DAMPING: f64 = 0.1;
-/// Speed of the plate \[m/s\].
-const SPEED: f64 = 0.1;
+const SPEED: f64 = 0.1; // Speed of the plate [m/s]
 /// Way of the plate over the height of the container.
 const WAY: f64 = 4.9 / 13.0;
 const PLATE: i64 = 101;
@@ -59,7 +58,23 @@ pub static GRAINS: Case = Case::new("grains", "Do soft grains that a plate compa
     .ladder(Ladder::made(rungs))
     .scene(scene)
     .run(compare)
-    .judge_by(judge)
+    .gates_of_rungs(&[
+    value(INSIDE).at_most(0.0, "grains do not penetrate each other"),
+    value(BEYOND).at_most(0.0, "nor what holds them"),
+    value(MOMENTUM).at_most(
+        1e-10,
+        "forces on grains and walls are the same vectors; round-off of some thousand steps",
+    ),
+    value(BALANCE).at_most(
+        0.02,
+        "in a tenth of the run the grains can lose no more momentum than they have at the plate's speed",
+    ),
+    value(GAINED).at_most(
+        1e-3,
+        "contact adds no energy; work and velocities are half a step of some thousand apart",
+    ),
+])
+.judge_by(lines)
     .wrong_references(&[WRONG_DAMPING])
     .no_study("nothing exact is known of a pile of grains but balances, which hold to round-off whatever the settings");
 
@@ -89,34 +104,9 @@ fn rungs(size: Size) -> Vec<Rung> {
     vec![Rung::labelled(format!("{variant} h={cell}"), variant, cell)]
 }
 
-fn judge(runs: &Runs<'_>) -> Verdict {
-    let mut gates = vec![];
-    for rung in runs.rungs {
-        let mut at_most = |name: &str, bound, reason| {
-            let value = value_of(runs.solved, &rung.label, name);
-            let name = format!("{}: {name}", rung.label);
-            gates.push(Gate::at_most(name, value, bound, reason));
-        };
-        at_most(INSIDE, 0.0, "grains do not penetrate each other");
-        at_most(BEYOND, 0.0, "nor what holds them");
-        at_most(
-            MOMENTUM,
-            1e-10,
-            "forces on grains and walls are the same vectors; round-off of some thousand steps",
-        );
-        at_most(
-            BALANCE,
-            0.02,
-            "in a tenth of the run the grains can lose no more momentum than they have at the plate's speed",
-        );
-        at_most(
-            GAINED,
-            1e-3,
-            "contact adds no energy; work and velocities are half a step of some thousand apart",
-        );
-    }
+/// What nothing exact is known of.
+fn lines(runs: &Runs<'_>) -> Verdict {
     Verdict {
-        gates,
         for_the_record: runs.solved
             .iter()
             .map(|(rung, s)| {
@@ -207,13 +197,8 @@ fn scene(rung: &Rung, _: &Settings) -> Scene {
 }
 
 fn compare(run: Run<'_>) -> Result<Found, Failure> {
-    let Run {
-        rung,
-        reference,
-        simulation,
-        observer,
-        ..
-    } = run;
+    let (rung, reference) = (run.rung, run.reference);
+    let (simulation, observer) = (run.simulation, run.observer);
     let rate = reference.of(&WRONG_DAMPING) * DAMPING * (YOUNG / DENSITY).sqrt() / rung.cell;
     let watch = Watch::run(simulation, rate, &mut |share| observer.progress(share))?;
     let quantities = watch.quantities(simulation);

@@ -13,7 +13,7 @@
 //! Expected with h = 0.1 m: force 0.4 %, peak 0.2 %, half-width 0.7 %, pressure 3 % in L2. `proctor verify hertz`.
 
 use super::prelude::*;
-use super::pressures::Pressures;
+use super::vocabulary::pressures::Pressures;
 use crate::exact::hertz::{Hertz as Exact, contact_modulus};
 use crate::exact::hertz_layer::{LayerContact, barrier};
 
@@ -24,8 +24,7 @@ const POISSON: f64 = 0.3;
 const GAP: f64 = 0.05;
 /// Time at which averaging begins, and at which it ends \[s\].
 const AVERAGED: [f64; 2] = [11.0, 13.0];
-/// Share of PIC, with any transfer.
-const PIC: f64 = 0.1;
+const PIC: f64 = 0.1; // Share of PIC, with any transfer
 /// The bottom of the disk within this distance of the middle has fine segments \[m\].
 const FINE: f64 = 1.6;
 
@@ -48,14 +47,60 @@ pub static HERTZ: Case = Case::new(
     "hertz",
     "Is the pressure between an elastic half disk and a rigid plane that of Hertz?",
 )
-.ladder(Ladder::made(rungs))
+.ladder(Ladder::sizes(
+    &[("hertz", &[0.2])],
+    &[("hertz", &[0.2, 0.1]), ("paper", &[0.2, 0.1])],
+))
 .method(method)
 .scene(scene)
 .run(compare)
-.judge_by(judge)
+.gates_of_variants(&[
+    error(FORCE)
+        .at_most(0.015, "the load must arrive; half settled at 13 s")
+        .short_alone()
+        .by_rung(),
+    error(WIDTH)
+        .at_most(0.04, "3.4 cells over the half-width")
+        .short_alone()
+        .by_rung(),
+    error(L2_HERTZ)
+        .at_most(
+            0.1,
+            "a layer 6 % off on a mesh twice as coarse as judged in full",
+        )
+        .short_alone()
+        .by_rung(),
+    of_hertz(FORCE, 0.01, "the load must arrive"),
+    of_hertz(PEAK, 0.02, "the method's reference figures: 0.2 %"),
+    of_hertz(WIDTH, 0.02, "the method's reference figures: 0.7 %"),
+    of_hertz(L2_HERTZ, 0.05, "the method's reference figures: 3.3 %"),
+    error(L2_LAYER)
+        .at_most(0.05, "the method's reference figures: 3.1 %")
+        .full_alone()
+        .by_rung()
+        .on(|rung| rung.variant == "paper"),
+])
+.tables(&[TableRule::new(
+    "{variant}",
+    &[FORCE, PEAK, WIDTH, L2_HERTZ, L2_LAYER],
+)])
+.judge_by(lines)
 .wrong_references(&[WRONG_LOAD])
-.studies(&[Plan::new(Ladder::made(path), MEASURES, 2)])
+.studies(&[Plan::new(
+    Ladder::sizes(&[("hertz", &[0.8, 0.4])], &[("hertz", &[0.4, 0.2, 0.1])]),
+    MEASURES,
+    2,
+)])
 .no_guest("what is known exactly is the pressure of a contact, and frames of particles hold none");
+
+/// A gate of the full ladder on the stiff layer.
+const fn of_hertz(quantity: &'static str, bound: f64, reason: &'static str) -> GateRule {
+    error(quantity)
+        .at_most(bound, reason)
+        .full_alone()
+        .by_rung()
+        .on(|rung| rung.variant == "hertz")
+}
 
 fn exact(reference: Reference) -> Exact {
     Exact {
@@ -105,72 +150,20 @@ fn shape() -> Shape {
     Shape::Polygon { points }
 }
 
-fn rungs(size: Size) -> Vec<Rung> {
-    Rung::ladders(match size {
-        Size::Quick => &[("hertz", &[0.2])],
-        Size::Full => &[("hertz", &[0.2, 0.1]), ("paper", &[0.2, 0.1])],
-    })
-}
-
-fn judge(runs: &Runs<'_>) -> Verdict {
-    let gates: &[(&str, &str, f64, &'static str)] = match runs.size {
-        Size::Quick => {
-            let label = "hertz h=0.2";
-            let load = "the load must arrive; half settled at 13 s";
-            let coarse = "a layer 6 % off on a mesh twice as coarse as judged in full";
-            &[
-                (label, FORCE, 0.015, load),
-                (label, WIDTH, 0.04, "3.4 cells over the half-width"),
-                (label, L2_HERTZ, 0.1, coarse),
-            ]
-        }
-        Size::Full => {
-            let label = "hertz h=0.1";
-            &[
-                (label, FORCE, 0.01, "the load must arrive"),
-                (label, PEAK, 0.02, "the method's reference figures: 0.2 %"),
-                (label, WIDTH, 0.02, "the method's reference figures: 0.7 %"),
-                (
-                    label,
-                    L2_HERTZ,
-                    0.05,
-                    "the method's reference figures: 3.3 %",
-                ),
-                (
-                    "paper h=0.1",
-                    L2_LAYER,
-                    0.05,
-                    "the method's reference figures: 3.1 %",
-                ),
-            ]
-        }
+/// The distance of the layer from Hertz, for the record.
+fn lines(runs: &Runs<'_>) -> Verdict {
+    let line = |(rung, s): &(Rung, Solved)| {
+        format!(
+            "{}: the barrier layer itself is {:.1} % from Hertz; computed {:.1} % from the layer, {:.1} % from Hertz",
+            rung.label,
+            100.0 * s.value(LAYER),
+            100.0 * s.value(L2_LAYER),
+            100.0 * s.value(L2_HERTZ),
+        )
     };
-    let gates = gates.iter().map(|&(label, name, bound, reason)| {
-        error_at_most(runs.solved, label, name, bound, reason)
-    });
     Verdict {
-        tables: ["hertz", "paper"]
-            .into_iter()
-            .filter(|v| runs.solved.iter().any(|(rung, _)| rung.variant == *v))
-            .map(|v| {
-                let names = [FORCE, PEAK, WIDTH, L2_HERTZ, L2_LAYER];
-                (v.to_owned(), table(runs.solved, v, &names))
-            })
-            .collect(),
-        gates: gates.collect(),
-        for_the_record: runs.solved
-            .iter()
-            .map(|(rung, s)| {
-                format!(
-                    "{}: the barrier layer itself is {:.1} % from Hertz; computed {:.1} % from the layer, {:.1} % from Hertz",
-                    rung.label,
-                    100.0 * s.value(LAYER),
-                    100.0 * s.value(L2_LAYER),
-                    100.0 * s.value(L2_HERTZ),
-                )
-            })
-            .collect(),
-        curves: vec![],
+        for_the_record: runs.solved.iter().map(line).collect(),
+        ..Verdict::default()
     }
 }
 
@@ -218,13 +211,8 @@ pub(super) fn scene(rung: &Rung, settings: &Settings) -> Scene {
 }
 
 pub(super) fn compare(run: Run<'_>) -> Result<Found, Failure> {
-    let Run {
-        rung,
-        reference,
-        simulation,
-        observer,
-        ..
-    } = run;
+    let (rung, reference) = (run.rung, run.reference);
+    let (simulation, observer) = (run.simulation, run.observer);
     // A slab is as thick as its one layer of cells, the plane 1 m.
     let thickness = simulation.scene().mesh.cell[2];
     let found = Pressures::averaged(simulation, AVERAGED[0], FINE, |x| x[0], observer)?;
@@ -250,11 +238,4 @@ pub(super) fn compare(run: Run<'_>) -> Result<Found, Failure> {
         points.map(|p| CurvePoint::new(p[0], p[1], exact.pressure(p[0]))),
     );
     Ok(Found::new(quantities, Some(curve)))
-}
-
-fn path(size: Size) -> Vec<Rung> {
-    Rung::ladders(match size {
-        Size::Quick => &[("hertz", &[0.8, 0.4])],
-        Size::Full => &[("hertz", &[0.4, 0.2, 0.1])],
-    })
 }

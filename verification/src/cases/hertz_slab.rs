@@ -10,7 +10,7 @@
 
 use super::hertz::{self, FORCE, L2_HERTZ, PEAK, WIDTH};
 use super::prelude::*;
-use super::slab::{self, VARIANTS};
+use super::vocabulary::slab::{self, VARIANTS};
 
 const SAME: &str = "one layer of cells is the plane, but for how surfaces are projected";
 

@@ -9,7 +9,7 @@
 //! the approach of the bodies), and the block's size 8/3 (a/L)^3, 2 %, at most. `proctor verify hertz-sphere`.
 
 use super::prelude::*;
-use super::pressures::Pressures;
+use super::vocabulary::pressures::Pressures;
 use crate::exact::hertz::contact_modulus;
 use crate::exact::hertz_sphere::HertzSphere as Exact;
 use libm::{asin, hypot, sin, sincos};
@@ -27,20 +27,21 @@ const DAMPING: f64 = 2.0;
 const PIC: f64 = 0.1;
 const GAP: f64 = 0.05;
 const KAPPA: f64 = 5.0e3;
-/// Radius and height of the block \[m\].
-const BLOCK: f64 = 6.0;
-/// The bottom within this length from the pole has fine triangles \[m\].
-const FINE: f64 = 1.8;
+const BLOCK: f64 = 6.0; // Radius and height of the block [m]
+const FINE: f64 = 1.8; // The bottom within this length from the pole has fine triangles [m]
 /// Time at which averaging begins, and at which it ends \[s\].
 const AVERAGED: [f64; 2] = [8.0, 10.0];
-/// The mean over this share of the contact radius gives the peak pressure.
-const MIDDLE: f64 = 0.25;
+const MIDDLE: f64 = 0.25; // The mean over this share of the contact radius gives the peak pressure
 
 const FORCE: &str = "contact force";
 const PEAK: &str = "peak pressure";
 const WIDTH: &str = "contact radius";
 const L2: &str = "L2(p) against Hertz";
 
+const OVER_RADIUS: [&str; 2] = [
+    "2.4 cells over the contact radius",
+    "4.8 cells over the contact radius",
+];
 const WRONG_LOAD: Wrong = Wrong::factor("load", 1.02).breaks(|gate| gate.contains("force"));
 
 /// The ball on a rigid plane.
@@ -52,7 +53,12 @@ pub static HERTZ_SPHERE: Case = Case::new(
 .method(method)
 .tried_scene(|rung, settings| Ok(build(rung, settings)?))
 .run(compare)
-.judge_by(judge)
+.gates(&[
+    error(FORCE).at_most(0.01, "the load must arrive").by_rung(),
+    error(PEAK).at_most_of([0.1, 0.05], OVER_RADIUS).by_rung(),
+    error(WIDTH).at_most_of([0.1, 0.05], OVER_RADIUS).by_rung(),
+])
+.tables(&[TableRule::new("{variant}", &[FORCE, PEAK, WIDTH, L2])])
 .wrong_references(&[WRONG_LOAD])
 .studies(&[Plan::new(
     Ladder::made(path),
@@ -262,35 +268,6 @@ fn rungs(size: Size) -> Vec<Rung> {
     of_cells(cells)
 }
 
-fn judge(runs: &Runs<'_>) -> Verdict {
-    let finest = runs
-        .rungs
-        .last()
-        .map_or_else(String::new, |r| r.label.clone());
-    let gate = |name, bound, reason| error_at_most(runs.solved, &finest, name, bound, reason);
-    let gates = match runs.size {
-        Size::Quick => vec![
-            gate(FORCE, 0.01, "the load must arrive"),
-            gate(PEAK, 0.1, "2.4 cells over the contact radius"),
-            gate(WIDTH, 0.1, "2.4 cells over the contact radius"),
-        ],
-        Size::Full => vec![
-            gate(FORCE, 0.01, "the load must arrive"),
-            gate(PEAK, 0.05, "4.8 cells over the contact radius"),
-            gate(WIDTH, 0.05, "4.8 cells over the contact radius"),
-        ],
-    };
-    Verdict {
-        tables: vec![(
-            "sphere".to_owned(),
-            table(runs.solved, "sphere", &[FORCE, PEAK, WIDTH, L2]),
-        )],
-        gates,
-        for_the_record: vec![],
-        curves: vec![],
-    }
-}
-
 /// Peak pressure with the mean over the middle, as Hertz has it.
 fn peak(found: &Pressures, exact: &Exact) -> f64 {
     let within = MIDDLE * exact.contact_radius();
@@ -307,13 +284,8 @@ fn method(_rung: &Rung) -> Settings {
 }
 
 fn compare(run: Run<'_>) -> Result<Found, Failure> {
-    let Run {
-        rung,
-        reference,
-        simulation,
-        observer,
-        ..
-    } = run;
+    let (rung, reference) = (run.rung, run.reference);
+    let (simulation, observer) = (run.simulation, run.observer);
     let from_axis = |x: &Vector| libm::hypot(x[0], x[1]);
     let found = Pressures::averaged(simulation, AVERAGED[0], FINE, from_axis, observer)?;
     let exact = exact(reference);

@@ -22,22 +22,19 @@
 
 mod judge;
 
-use super::incline::{
+use super::prelude::*;
+use super::vocabulary::incline::{
     ACCELERATION, Block, COURANT, CREEP, DENSITY, GRAVITY, Incline, POISSON, Track, WAY, YOUNG,
     acceleration, follow, shear_wave_speed, sliding_curve, stuck,
 };
-use super::prelude::*;
 use crate::exact::elastic_block::{ElasticBlock, Release, Slid};
 use crate::exact::sliding::Slope;
 
-/// Time from the release to the end \[s\].
-const TIME: f64 = 2.0;
+const TIME: f64 = 2.0; // Time from the release to the end [s]
 /// Where the block lies along the incline at the start \[m\].
 const ALONG: [f64; 2] = [2.0, 12.0];
-/// Length of the base \[m\]: the way without friction is 14.14 m.
-const LENGTH: f64 = 28.0;
-/// Height of the settled block \[m\].
-const HEIGHT: f64 = 2.0;
+const LENGTH: f64 = 28.0; // Length of the base [m]: the way without friction is 14.14 m
+const HEIGHT: f64 = 2.0; // Height of the settled block [m]
 /// Coefficients of friction of the manual.
 const FRICTIONS: [f64; 6] = [0.0, 0.1, 0.2, 0.3, 0.4, 0.5];
 /// Coefficient of a block that sticks where it is tilted slowly; tan(theta) = 1.
@@ -46,10 +43,8 @@ const STICKING: f64 = 1.2;
 const STICKING_AT_ONCE: f64 = 2.5;
 /// Time over which a block that is to stick is tilted: 15 periods of its shear \[s\].
 const TILTING: f64 = 1.0;
-/// Friction of the study.
-const STUDIED: f64 = 0.3;
-/// Local damping of a block that is to stick.
-const STICKING_DAMPING: f64 = 0.1;
+const STUDIED: f64 = 0.3; // Friction of the study
+const STICKING_DAMPING: f64 = 0.1; // Local damping of a block that is to stick
 /// Name of the displacement against that of an elastic block.
 const ELASTIC: &str = "displacement at 2 s, elastic";
 const WRONG_PULL: Wrong =
@@ -65,7 +60,7 @@ pub static INCLINED_BLOCK: Case = Case::new(
 .scene_by(scene)
 .options(options)
 .run(compare)
-.judge_by(judge)
+.judge_by(judge::verdict)
 .wrong_references(&[WRONG_PULL])
 .studies(&[Plan::new(
     Ladder::made(path),
@@ -136,11 +131,10 @@ const VARIANTS: [(Dimension, StressScheme, [&str; 2]); 6] = [
         ["3D MUSL", "stick 3D MUSL"],
     ),
 ];
-/// The variant of the manual's own scene.
-const PRINTED: &str = "printed";
+const PRINTED: &str = "printed"; // The variant of the manual's own scene
 
 /// All rungs of a size with their problems.
-fn ladder(size: Size) -> Vec<(Rung, Problem)> {
+fn rungs(size: Size) -> Vec<Rung> {
     let mut all = vec![];
     let cells: &[(Dimension, f64)] = match size {
         Size::Quick => &[(Dimension::Two, 1.0)],
@@ -159,8 +153,7 @@ fn ladder(size: Size) -> Vec<(Rung, Problem)> {
                 friction,
             };
             all.extend(FRICTIONS.map(|friction| {
-                let problem = problem(Kind::Settled, friction);
-                (rung(slides, cell, friction, ""), problem)
+                rung(slides, cell, friction, "").with(problem(Kind::Settled, friction))
             }));
             for (kind, friction, how) in [
                 (Kind::Stick, STICKING, " tilted"),
@@ -169,7 +162,7 @@ fn ladder(size: Size) -> Vec<(Rung, Problem)> {
                 (Kind::Walk(Some(STICKING_DAMPING)), STICKING, " at once"),
                 (Kind::Walk(None), STICKING, " at once, undamped"),
             ] {
-                all.push((rung(sticks, cell, friction, how), problem(kind, friction)));
+                all.push(rung(sticks, cell, friction, how).with(problem(kind, friction)));
             }
         }
     }
@@ -181,7 +174,7 @@ fn ladder(size: Size) -> Vec<(Rung, Problem)> {
                 scheme: StressScheme::Usl,
                 friction,
             };
-            (rung(PRINTED, 1.0, friction, ""), problem)
+            rung(PRINTED, 1.0, friction, "").with(problem)
         }));
     }
     all
@@ -196,7 +189,7 @@ fn rung(variant: &'static str, cell: f64, friction: f64, how: &str) -> Rung {
 }
 
 /// The path of the study with its problem.
-fn studied(size: Size) -> Vec<(Rung, Problem)> {
+fn path(size: Size) -> Vec<Rung> {
     let cells: &[f64] = match size {
         Size::Quick => &[1.0, 0.5],
         Size::Full => &[1.0, 0.5, 0.25, 0.125],
@@ -207,22 +200,12 @@ fn studied(size: Size) -> Vec<(Rung, Problem)> {
         scheme: StressScheme::Usl,
         friction: STUDIED,
     };
-    let rung = |&cell: &f64| (rung(VARIANTS[0].2[0], cell, STUDIED, ""), problem);
+    let rung = |&cell: &f64| rung(VARIANTS[0].2[0], cell, STUDIED, "").with(problem);
     cells.iter().map(rung).collect()
 }
 
-/// The problem of a rung of any size; that of the study for a rung that is not of this case.
-fn problem(rung: &Rung) -> Problem {
-    let known = [Size::Quick, Size::Full].map(ladder).into_iter().flatten();
-    let mut problems = known
-        .filter(|(other, _)| other == rung)
-        .map(|(_, problem)| problem);
-    let studied = studied(Size::Full)[0].1;
-    problems.next().unwrap_or(studied)
-}
-
 fn incline(reference: Reference, rung: &Rung) -> Incline {
-    let problem = problem(rung);
+    let problem = *rung.problem::<Problem>();
     let h = rung.cell;
     let sign = if problem.kind == Kind::StickMirrored {
         -1.0
@@ -311,17 +294,9 @@ fn by_elements(rung: &Rung, problem: &Problem) -> Option<Slid> {
     Some(slid)
 }
 
-fn rungs(size: Size) -> Vec<Rung> {
-    ladder(size).into_iter().map(|(rung, _)| rung).collect()
-}
-
-fn judge(runs: &Runs<'_>) -> Verdict {
-    judge::verdict(&ladder(runs.size), runs.solved)
-}
-
 fn method(rung: &Rung) -> Settings {
     Settings::new(Method {
-        scheme: problem(rung).scheme,
+        scheme: rung.problem::<Problem>().scheme,
         ..Method::DEFAULT
     })
     .courant(COURANT)
@@ -330,7 +305,7 @@ fn method(rung: &Rung) -> Settings {
 fn scene(rung: &Rung, settings: &Settings, reference: Reference) -> Scene {
     let mut scene = incline(reference, rung).scene("inclined_block", TIME);
     scene.time_step = settings.multiplier();
-    if problem(rung).kind == Kind::Printed {
+    if rung.problem::<Problem>().kind == Kind::Printed {
         scene.mesh.planes[2][1] = PlaneCondition::Sliding;
         scene.time_step = TimeStep::Multiplier {
             multiplier: 0.15,
@@ -347,31 +322,22 @@ fn options(rung: &Rung, reference: Reference, options: Options) -> Options {
 }
 
 fn compare(run: Run<'_>) -> Result<Found, Failure> {
-    let Run {
-        rung,
-        reference,
-        simulation,
-        observer,
-        ..
-    } = run;
+    let (rung, reference) = (run.rung, run.reference);
+    let (simulation, observer) = (run.simulation, run.observer);
     let incline = incline(reference, rung);
     incline.release(simulation, observer)?;
     let tracks = follow(&incline, simulation, observer)?;
-    let problem = problem(rung);
+    let problem = *rung.problem::<Problem>();
     let moved = simulation.center(1).1[0] - 0.5 * (ALONG[0] + ALONG[1]);
     let quantities = quantities(&tracks[0], moved, &problem, incline.height);
     let curve = sliding_curve(&tracks[0], &exact(&problem), &rung.label);
     Ok(Found::new(quantities, Some(curve)))
 }
 
-fn path(size: Size) -> Vec<Rung> {
-    studied(size).into_iter().map(|(rung, _)| rung).collect()
-}
-
 /// A scene file has one gravity for all of a run, so the block is released at once. It is so flat that the swing of its
 /// weight is over in a hundredth of the time, and leaves the impulse of friction as it is but for the settlement.
 fn guest(rung: &Rung) -> Result<Guest, &'static str> {
-    let problem = problem(rung);
+    let problem = *rung.problem::<Problem>();
     if (problem.kind, problem.dimension) != (Kind::Settled, Dimension::Two) {
         return Err(
             "blocks that stick are judged by their creep, after a time in which gravity turns",

@@ -9,20 +9,17 @@
 //!
 //! `precision` studies the block that rubs, in two dimensions. `proctor verify inclined-two-blocks`.
 
-use super::incline::{
+use super::prelude::*;
+use super::vocabulary::incline::{
     Block, COURANT, GRAVITY, Incline, Track, fitted_slope, follow, shear_wave_speed,
 };
-use super::prelude::*;
 use crate::exact::sliding::Slope;
 
-/// Time from the release to the end \[s\].
-const TIME: f64 = 2.0;
-/// The same after gravity is reversed: they rise by 3.5 m.
-const TIME_LIFTED: f64 = 1.0;
+const TIME: f64 = 2.0; // Time from the release to the end [s]
+const TIME_LIFTED: f64 = 1.0; // The same after gravity is reversed: they rise by 3.5 m
 /// Time after the release from which on lifted blocks must be free: two periods of their vertical motion \[s\].
 const FREE_FROM: f64 = 0.2;
-/// Height of the blocks \[m\].
-const HEIGHT: f64 = 5.0;
+const HEIGHT: f64 = 5.0; // Height of the blocks [m]
 /// The blocks of the manual, the one behind first.
 const BLOCKS: [Block; 2] = [
     Block {
@@ -45,16 +42,15 @@ const ACCELERATIONS: [&str; 2] = ["acceleration, mu = 0.2", "acceleration, mu = 
 const LIFTS: [&str; 2] = ["lift, mu = 0.2", "lift, mu = 0"];
 /// Name of the largest force once the blocks are free.
 const HELD: &str = "largest force when free, over weight";
-/// Name of the largest pull.
-const PULL: &str = "largest pull, over weight";
+const PULL: &str = "largest pull, over weight"; // Name of the largest pull
 
-/// Largest relative error of acceleration and displacement.
-const SLIDING_GATE: f64 = 5e-3;
+const SLIDING_GATE: f64 = 5e-3; // Largest relative error of acceleration and displacement
 /// Largest relative error of the acceleration of a free body: gravity is added step by step.
 const FREE_GATE: f64 = 1e-9;
-/// Largest pull over the weight: round-off.
-const PULL_GATE: f64 = 1e-9;
+const PULL_GATE: f64 = 1e-9; // Largest pull over the weight: round-off
 
+const FREE: &str = "a free body has the acceleration of gravity";
+const PROMISED: &str = "half a percent is what the project promises";
 const WRONG_PULL: Wrong =
     Wrong::factor("pull", 1.01).breaks_only(|gate| !gate.contains("over weight"));
 
@@ -65,7 +61,16 @@ pub static INCLINED_TWO_BLOCKS: Case = Case::new("inclined-two-blocks", "Do two 
     .scene_by(scene)
     .options(options)
     .run(compare)
-    .judge_by(judge)
+    .gates_of_rungs(&[
+    error(PULL).at_most(PULL_GATE, "contact never pulls; round-off is left"),
+    error(HELD).at_most(0.0, "bodies that have parted feel no force").on(parts),
+    error(LIFTS[0]).at_most(FREE_GATE, FREE).on(parts),
+    error(LIFTS[1]).at_most(FREE_GATE, FREE).on(parts),
+    error(WAYS[0]).at_most(SLIDING_GATE, PROMISED).on(slides),
+    error(WAYS[1]).at_most(SLIDING_GATE, PROMISED).on(slides),
+    error(ACCELERATIONS[0]).at_most(SLIDING_GATE, PROMISED).on(slides),
+    error(ACCELERATIONS[1]).at_most(SLIDING_GATE, PROMISED).on(slides),
+])
     .wrong_references(&[WRONG_PULL])
     .studies(&[Plan::new(Ladder::made(path), &[
         Measure::new("displacement", ELASTIC),
@@ -205,34 +210,12 @@ fn rungs(size: Size) -> Vec<Rung> {
     cells.iter().flat_map(of).collect()
 }
 
-fn judge(runs: &Runs<'_>) -> Verdict {
-    let mut verdict = Verdict::default();
-    for rung in runs.rungs {
-        let mut gate = |name, bound, reason| {
-            let gate = error_at_most(runs.solved, &rung.label, name, bound, reason);
-            verdict.gates.push(gate);
-        };
-        gate(PULL, PULL_GATE, "contact never pulls; round-off is left");
-        if variant(&rung).2 {
-            gate(HELD, 0.0, "bodies that have parted feel no force");
-            for name in LIFTS {
-                gate(
-                    name,
-                    FREE_GATE,
-                    "a free body has the acceleration of gravity",
-                );
-            }
-        } else {
-            for name in WAYS.into_iter().chain(ACCELERATIONS) {
-                gate(
-                    name,
-                    SLIDING_GATE,
-                    "half a percent is what the project promises",
-                );
-            }
-        }
-    }
-    verdict
+fn parts(rung: &Rung) -> bool {
+    variant(rung).2
+}
+
+fn slides(rung: &Rung) -> bool {
+    !parts(rung)
 }
 
 fn method(rung: &Rung) -> Settings {
@@ -258,13 +241,8 @@ fn options(rung: &Rung, reference: Reference, options: Options) -> Options {
 }
 
 fn compare(run: Run<'_>) -> Result<Found, Failure> {
-    let Run {
-        rung,
-        reference,
-        simulation,
-        observer,
-        ..
-    } = run;
+    let (rung, reference) = (run.rung, run.reference);
+    let (simulation, observer) = (run.simulation, run.observer);
     let incline = incline(reference, rung);
     incline.release(simulation, observer)?;
     let tracks = follow(&incline, simulation, observer)?;

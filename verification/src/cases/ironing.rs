@@ -40,18 +40,15 @@ const KAPPA: f64 = 1e3;
 /// Factor of eq. 20 at the paper's cell size \[m\].
 const DAMPING: f64 = 0.05;
 const CELL: f64 = 0.2;
-/// Share of PIC.
-const PIC: f64 = 0.1;
+const PIC: f64 = 0.1; // Share of PIC
 /// Way down \[m\], the time it takes and that of a ramp \[s\].
 const DEPTH: f64 = 1.2;
 const DOWN: f64 = 60.0;
 const RAMP: f64 = 2.0;
-/// Speed to the right \[m/s\].
-const ALONG: f64 = 0.05;
+const ALONG: f64 = 0.05; // Speed to the right [m/s]
 /// The plateau \[s\].
 const PLATEAU: [f64; 2] = [120.0, 180.0];
-/// Interval of the history \[s\].
-const INTERVAL: f64 = 0.5;
+const INTERVAL: f64 = 0.5; // Interval of the history [s]
 
 const PRESSED: &str = "force at 60 s";
 const MEAN: &str = "mean force from 120 to 180 s";
@@ -113,7 +110,10 @@ pub static IRONING: Case = Case::new(
 .judge_by(judge::verdict)
 .wrong_references(&[WRONG_FORCE])
 .studies(&[Plan::new(
-    Ladder::made(path),
+    Ladder::sizes(
+        &[(pressed::VARIANT, &[2.0 * CELL, CELL])],
+        &[(pressed::VARIANT, &[2.0 * CELL, CELL, 0.5 * CELL])],
+    ),
     &[Measure::new("force", pressed::HISTORY)],
     2,
 )])
@@ -308,13 +308,8 @@ fn prepare(rung: &Rung, reference: Reference) {
 }
 
 fn compare(run: Run<'_>) -> Result<Found, Failure> {
-    let Run {
-        rung,
-        reference,
-        simulation,
-        observer,
-        ..
-    } = run;
+    let (rung, reference) = (run.rung, run.reference);
+    let (simulation, observer) = (run.simulation, run.observer);
     let forces = forces(simulation, observer)?;
     let (quantities, curve) = if rung.variant == pressed::VARIANT {
         let known = pressed::reference(reference.of(&WRONG_FORCE))?;
@@ -328,11 +323,4 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
         (quantities(&forces, expected), curve(&rung.label, &forces))
     };
     Ok(Found::new(quantities, Some(curve)))
-}
-
-fn path(size: Size) -> Vec<Rung> {
-    Rung::ladders(match size {
-        Size::Quick => &[(pressed::VARIANT, &[2.0 * CELL, CELL])],
-        Size::Full => &[(pressed::VARIANT, &[2.0 * CELL, CELL, 0.5 * CELL])],
-    })
 }

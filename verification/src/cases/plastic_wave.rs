@@ -14,27 +14,18 @@
 //! and is off by 1.9 to 2.1 % at 100 cells where APIC is off by 1.2 to 1.3 %, both of order 1. `proctor verify plastic-wave`.
 
 use super::prelude::*;
-use super::yielding::{LAWS, Yielding};
+use super::vocabulary::yielding::{LAWS, Yielding};
 use crate::exact::plastic_wave::PlasticWave as Exact;
 
-/// Length \[m\].
-const LENGTH: f64 = 1.0;
-/// Young's modulus \[Pa\].
-const YOUNG: f64 = 100.0;
-/// Yield stress of von Mises \[Pa\].
-const STRENGTH: f64 = 1e-4;
-/// Density \[kg/m³\]; waves run at about 11 m/s.
-const DENSITY: f64 = 1.0;
-/// Load over the limit.
-const LOAD: f64 = 3.0;
-/// Time in which the load rises \[s\].
-const RISE: f64 = 0.03;
-/// Time of the comparison, in transits of the elastic wave.
-const COMPARED: f64 = 0.9;
-/// `c dt/h`.
-const COURANT: f64 = 0.3;
-/// Empty cells beyond the far end.
-const AIR: usize = 2;
+const LENGTH: f64 = 1.0; // Length [m]
+const YOUNG: f64 = 100.0; // Young's modulus [Pa]
+const STRENGTH: f64 = 1e-4; // Yield stress of von Mises [Pa]
+const DENSITY: f64 = 1.0; // Density [kg/m³]; waves run at about 11 m/s
+const LOAD: f64 = 3.0; // Load over the limit
+const RISE: f64 = 0.03; // Time in which the load rises [s]
+const COMPARED: f64 = 0.9; // Time of the comparison, in transits of the elastic wave
+const COURANT: f64 = 0.3; // `c dt/h`
+const AIR: usize = 2; // Empty cells beyond the far end
 /// Intervals of the record of the plane over the rise; linear between them it is off by 2e-7 of its end.
 const INTERVALS: u32 = 2000;
 

@@ -22,13 +22,13 @@ pub(crate) use proctor_scene::simulation::{
 };
 pub(crate) use proctor_contact::geometry::surface::{Surface, SurfaceError};
 
-pub(crate) use super::dynamics::*;
-pub(crate) use super::judging::*;
-pub(crate) use super::mortar::{self, *};
-pub(crate) use super::parts::*;
-pub(crate) use super::statics::*;
+pub(crate) use super::vocabulary::mortar::{self, *};
+pub(crate) use super::vocabulary::parts::*;
+pub(crate) use super::vocabulary::relaxation::*;
+pub(crate) use super::vocabulary::stepping::*;
+pub(crate) use super::vocabulary::verdicts::*;
 pub(crate) use super::{FIELDS, PARTED, STRESS_MEASURE, known_reference};
-pub(crate) use crate::case::gates::{GateRule, Runs, TableRule, error, order};
+pub(crate) use crate::case::gates::{GateRule, Runs, TableRule, error, order, value, worst};
 pub(crate) use crate::case::ladder::Ladder;
 pub(crate) use crate::case::wrong::{Reference, Wrong};
 pub(crate) use crate::case::{

@@ -18,8 +18,7 @@ use crate::exact::ring_impact::{Contact, RingImpact, Sample};
 
 const INNER: f64 = 0.03;
 const OUTER: f64 = 0.04;
-/// Initial gap \[m\].
-const APART: f64 = 0.02;
+const APART: f64 = 0.02; // Initial gap [m]
 /// Speed of each ring \[m/s\].
 const SPEED: f64 = 30.0;
 const BULK: f64 = 121.7e6;
@@ -30,14 +29,10 @@ const KAPPA: f64 = 4e7;
 const KAPPA_T: f64 = 1e6;
 /// Share of the critical gap below which the barrier of the reference is linear, as that of the method is.
 const FLOOR: f64 = 0.05;
-/// Vertices around the outer boundary of a ring.
-const VERTICES: f64 = 127.0;
-/// End \[s\].
-const END: f64 = 4e-3;
-/// Interval of the energies \[s\].
-const INTERVAL: f64 = 2e-5;
-/// Elements of the reference along the radius.
-const ELEMENTS: usize = 8;
+const VERTICES: f64 = 127.0; // Vertices around the outer boundary of a ring
+const END: f64 = 4e-3; // End [s]
+const INTERVAL: f64 = 2e-5; // Interval of the energies [s]
+const ELEMENTS: usize = 8; // Elements of the reference along the radius
 
 /// `c dt/h` of the case's own runs. At 0.4 the energy of FLIP grows by a percent.
 const COURANT: f64 = 0.3;
@@ -68,7 +63,38 @@ pub static RINGS: Case = Case::new(
 .scene(scene)
 .prepare(prepare)
 .run(compare)
-.judge_by(judge)
+.gates_of_variants(&[
+    error(BEGIN)
+        .at_most(
+            0.01e-3 / TOUCHING[0],
+            "the gap less the critical one, 15 mm, at 60 m/s, to 0.01 ms",
+        )
+        .by_rung()
+        .named("{label}: error of the first contact"),
+    of_last_contact().on(|rung| rung.variant == APIC),
+    // With FLIP, which is there for the energy, the rings need the fine grid to part in time.
+    of_last_contact()
+        .full_alone()
+        .on(|rung| rung.variant == FLIP),
+    error(IMPULSE)
+        .at_most(0.03, "the method's reference figures: 1.6 %")
+        .by_rung()
+        .named("{label}: error of the impulse"),
+    value(MOMENTUM)
+        .at_most(
+            1e-10,
+            "action is reaction, to round-off of some thousand steps",
+        )
+        .by_rung(),
+    value(GAIN)
+        .at_most(
+            0.01,
+            "contact adds no energy; a percent for the samples of a leapfrog",
+        )
+        .by_rung(),
+])
+.tables(&[TableRule::new("{variant}", &[IMPULSE])])
+.judge_by(lines)
 .wrong_references(&[WRONG_SPEED])
 .studies(&[Plan::new(
     Ladder::made(path),
@@ -76,6 +102,16 @@ pub static RINGS: Case = Case::new(
     2,
 )])
 .no_guest(NO_GUEST);
+
+const fn of_last_contact() -> GateRule {
+    error(LAST)
+        .at_most(
+            0.2e-3 / TOUCHING[1],
+            "the paper's figure, to 0.2 ms, a sixteenth of the contact",
+        )
+        .by_rung()
+        .named("{label}: error of the last contact")
+}
 
 /// What a run gives to be judged.
 #[derive(Debug)]
@@ -203,73 +239,22 @@ fn rungs(size: Size) -> Vec<Rung> {
     }
 }
 
-fn judge(runs: &Runs<'_>) -> Verdict {
-    let mut gates = vec![];
-    for variant in [APIC, FLIP] {
-        let Some(finest) = runs.rungs.iter().rfind(|rung| rung.variant == variant) else {
-            continue;
-        };
-        let value = |name| value_of(runs.solved, &finest.label, name);
-        let error = |name| error_of(runs.solved, &finest.label, name);
-        let mut at_most = |name: &str, value: f64, bound, reason| {
-            let name = format!("{}: {name}", finest.label);
-            gates.push(Gate::at_most(name, value, bound, reason));
-        };
-        at_most(
-            "error of the first contact",
-            error(BEGIN),
-            0.01e-3 / TOUCHING[0],
-            "the gap less the critical one, 15 mm, at 60 m/s, to 0.01 ms",
-        );
-        // With FLIP, which is there for the energy, the rings need the fine grid to part in time.
-        if variant == APIC || runs.size == Size::Full {
-            at_most(
-                "error of the last contact",
-                error(LAST),
-                0.2e-3 / TOUCHING[1],
-                "the paper's figure, to 0.2 ms, a sixteenth of the contact",
-            );
-        }
-        at_most(
-            "error of the impulse",
-            error(IMPULSE),
-            0.03,
-            "the method's reference figures: 1.6 %",
-        );
-        at_most(
-            MOMENTUM,
-            value(MOMENTUM),
-            1e-10,
-            "action is reaction, to round-off of some thousand steps",
-        );
-        at_most(
-            GAIN,
-            value(GAIN),
-            0.01,
-            "contact adds no energy; a percent for the samples of a leapfrog",
-        );
-    }
+/// The contact of each run, for the record.
+fn lines(runs: &Runs<'_>) -> Verdict {
+    let line = |(rung, s): &(Rung, Solved)| {
+        let reference = s.quantity(IMPULSE).and_then(|q| q.exact);
+        format!(
+            "{}: contact from {:.3} to {:.3} ms, impulse {:.1} N s (reference {:.1}), energy lost {:.1} %",
+            rung.label,
+            1e3 * s.value(BEGIN),
+            1e3 * s.value(LAST),
+            s.value(IMPULSE),
+            reference.unwrap_or(f64::NAN),
+            100.0 * s.value(LOSS),
+        )
+    };
     Verdict {
-        tables: [APIC, FLIP]
-            .map(|v| (v.to_owned(), table(runs.solved, v, &[IMPULSE])))
-            .into(),
-        gates,
-        for_the_record: runs.solved
-            .iter()
-            .map(|(rung, s)| {
-                format!(
-                    "{}: contact from {:.3} to {:.3} ms, impulse {:.1} N s (reference {:.1}), energy lost {:.1} %",
-                    rung.label,
-                    1e3 * s.value(BEGIN),
-                    1e3 * s.value(LAST),
-                    s.value(IMPULSE),
-                    s.quantity(IMPULSE)
-                        .and_then(|q| q.exact)
-                        .unwrap_or(f64::NAN),
-                    100.0 * s.value(LOSS),
-                )
-            })
-            .collect(),
+        for_the_record: runs.solved.iter().map(line).collect(),
         ..Verdict::default()
     }
 }
@@ -327,13 +312,8 @@ fn prepare(_rung: &Rung, reference: Reference) {
 }
 
 fn compare(run: Run<'_>) -> Result<Found, Failure> {
-    let Run {
-        rung,
-        reference,
-        simulation,
-        observer,
-        ..
-    } = run;
+    let (rung, reference) = (run.rung, run.reference);
+    let (simulation, observer) = (run.simulation, run.observer);
     let history = History::run(simulation, observer)?;
     let reference = known(reference)?;
     let quantities = history.quantities(simulation, reference);

@@ -30,12 +30,9 @@ const GAP: f64 = 0.04;
 const KAPPA: f64 = 1e4;
 const KAPPA_T: f64 = 1e6;
 const INCLINATION_DEGREES: f64 = 30.0;
-/// Each of the two stages \[s\].
-const STAGE: f64 = 2.0;
-/// Share of PIC, with any transfer.
-const PIC: f64 = 0.001;
-/// Local damping while the disk settles.
-const SETTLING: f64 = 0.1;
+const STAGE: f64 = 2.0; // Each of the two stages [s]
+const PIC: f64 = 0.001; // Share of PIC, with any transfer
+const SETTLING: f64 = 0.1; // Local damping while the disk settles
 
 pub(super) const WAY: &str = "way along the plane after 2 s";
 pub(super) const RATIO: &str = "turn times R over way, after 2 s";
@@ -163,7 +160,7 @@ fn judge(runs: &Runs<'_>) -> Verdict {
     }
     let on_turn = format!("error of the {RATIO}");
     for rung in runs.rungs {
-        let (bound, reason) = turn::bound(&rung);
+        let (bound, reason) = turn::bound(rung);
         let found = error(&rung.label, RATIO);
         at_most(&rung.label, &on_turn, found, bound, reason);
     }
@@ -263,13 +260,8 @@ pub(super) fn scene(rung: &Rung, settings: &Settings) -> Scene {
 }
 
 pub(super) fn compare(run: Run<'_>) -> Result<Found, Failure> {
-    let Run {
-        rung,
-        reference,
-        simulation,
-        observer,
-        ..
-    } = run;
+    let (rung, reference) = (run.rung, run.reference);
+    let (simulation, observer) = (run.simulation, run.observer);
     // A slab is as thick as its one layer of cells, the plane 1 m.
     let thickness = simulation.scene().mesh.cell[2];
     let mut follow = |simulation: &mut Simulation, stop: f64, turn: &mut f64| {

@@ -6,7 +6,7 @@
 
 use super::prelude::*;
 use super::rolling_disk::{self, AREA, RATIO, WAY};
-use super::slab;
+use super::vocabulary::slab;
 
 /// Variants of the disk, and of each the plane and the slab.
 const VARIANTS: [[&str; 3]; 2] = [

@@ -12,18 +12,14 @@ use std::f64::consts::SQRT_2;
 
 use super::prelude::*;
 
-/// Side of the mesh \[m\].
-const MESH: f64 = 1.0;
-/// Middle of the mesh and of the block \[m\].
-const MIDDLE: f64 = 0.5;
-/// Half the side of the block \[m\].
-const HALF: f64 = 0.25;
+const MESH: f64 = 1.0; // Side of the mesh [m]
+const MIDDLE: f64 = 0.5; // Middle of the mesh and of the block [m]
+const HALF: f64 = 0.25; // Half the side of the block [m]
 /// Young's modulus \[Pa\], Poisson's ratio and density \[kg/m³\].
 const YOUNG: f64 = 1e6;
 const POISSON: f64 = 0.3;
 const DENSITY: f64 = 1000.0;
-/// Speed of the corners over the wave speed.
-const SPEED: f64 = 1e-2;
+const SPEED: f64 = 1e-2; // Speed of the corners over the wave speed
 /// Name of the error of the velocity among the quantities.
 const VELOCITY: &str = "L2(v)";
 const WRONG_SPIN: Wrong = Wrong::factor("spin", 1.02);

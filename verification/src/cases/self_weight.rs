@@ -11,14 +11,10 @@
 use super::prelude::*;
 use crate::exact::self_weight::{Law as ExactLaw, SelfWeightColumn};
 
-/// Height \[m\].
-const HEIGHT: f64 = 1.0;
-/// Neo-Hookean; confined modulus 30 kPa.
-const LAW: NeoHookean = NeoHookean::new(25e3, 0.25);
-/// Density \[kg/m³\].
-const DENSITY: f64 = 1200.0;
-/// Gravity \[m/s²\].
-const GRAVITY: f64 = 10.0;
+const HEIGHT: f64 = 1.0; // Height [m]
+const LAW: NeoHookean = NeoHookean::new(25e3, 0.25); // Neo-Hookean; confined modulus 30 kPa
+const DENSITY: f64 = 1200.0; // Density [kg/m³]
+const GRAVITY: f64 = 10.0; // Gravity [m/s²]
 /// Norm of the unbalanced force over the weight at which the column is at rest.
 const RESIDUAL: f64 = 1e-7;
 const WRONG_GRAVITY: Wrong = Wrong::factor("gravity", 1.04);

@@ -14,20 +14,14 @@ use crate::exact::objective_rate::{
     PlaneStress, Update, deviator, growth_per_turn, sheared, sheared_by, turned_by,
 };
 
-/// Law with a rate; waves run at 1.2 m/s.
-const LAW: LinearElastic = LinearElastic::new(1.0, 0.3);
-/// Density \[kg/m³\].
-const DENSITY: f64 = 1.0;
+const LAW: LinearElastic = LinearElastic::new(1.0, 0.3); // Law with a rate; waves run at 1.2 m/s
+const DENSITY: f64 = 1.0; // Density [kg/m³]
 /// Cells are so many times as large as a wave runs in a step, about.
 const CELLS_PER_STEP: f64 = 10.0;
-/// Cells along the body.
-const WIDE: f64 = 2.0;
-/// Amount of shear at the end.
-const SHEAR: f64 = 3.0;
-/// Turns of the block.
-const TURNS: u32 = 10;
-/// Stress at the start of the turns \[Pa\].
-const STRESSED: PlaneStress = [3e-3, -2e-3, 1e-3];
+const WIDE: f64 = 2.0; // Cells along the body
+const SHEAR: f64 = 3.0; // Amount of shear at the end
+const TURNS: u32 = 10; // Turns of the block
+const STRESSED: PlaneStress = [3e-3, -2e-3, 1e-3]; // Stress at the start of the turns [Pa]
 /// Steps until all of the shear, and in a turn.
 const STEPS: [&[u32]; 2] = [&[250, 500], &[250, 500, 1000]];
 
@@ -92,11 +86,6 @@ const VARIANTS: [Variant; 8] = [
 ];
 
 impl Variant {
-    fn of(rung: &Rung) -> Self {
-        let found = VARIANTS.into_iter().find(|v| v.name == rung.variant);
-        found.unwrap_or(VARIANTS[0])
-    }
-
     /// Steps until all of the shear, or in a turn; cells of a rung are as large as one of them.
     fn steps_per(rung: &Rung) -> u32 {
         (CELLS_PER_STEP / rung.cell).round() as u32
@@ -271,7 +260,8 @@ fn rungs(size: Size) -> Vec<Rung> {
                 (Size::Full, Dimension::Two) => STEPS[1],
             };
             let word = format!("{}, steps", variant.name);
-            Rung::counted(variant.name, &word, CELLS_PER_STEP, steps)
+            let rungs = Rung::counted(variant.name, &word, CELLS_PER_STEP, steps);
+            rungs.into_iter().map(|rung| rung.with(*variant))
         })
         .collect()
 }
@@ -346,11 +336,11 @@ fn judge(runs: &Runs<'_>) -> Verdict {
 /// End of the run \[s\].
 fn end(rung: &Rung) -> f64 {
     let dt = 1.0 / f64::from(Variant::steps_per(rung));
-    f64::from(Variant::of(rung).steps(rung)) * dt
+    f64::from(rung.problem::<Variant>().steps(rung)) * dt
 }
 
 fn scene(rung: &Rung, _: &Settings) -> Scene {
-    let (h, variant) = (rung.cell, Variant::of(rung));
+    let (h, variant) = (rung.cell, *rung.problem::<Variant>());
     let axes = variant.dimension.axes();
     let cells = std::array::from_fn(|axis| {
         let [below, above] = variant.margins(axis);
@@ -384,7 +374,7 @@ fn scene(rung: &Rung, _: &Settings) -> Scene {
 }
 
 fn options(rung: &Rung, _: Reference, mut options: Options) -> Options {
-    let variant = Variant::of(rung);
+    let variant = *rung.problem::<Variant>();
     let motion = variant.motion(rung, end(rung) / f64::from(variant.steps(rung)));
     let [xx, yy, xy] = if variant.turns { STRESSED } else { [0.0; 3] };
     options.initial = Some(Arc::new(move |x| InitialState {
@@ -398,6 +388,6 @@ fn options(rung: &Rung, _: Reference, mut options: Options) -> Options {
 
 fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
     let (rung, simulation) = (run.rung, &*run.simulation);
-    let quantities = quantities(run.reference, Variant::of(rung), rung, simulation);
+    let quantities = quantities(run.reference, *rung.problem::<Variant>(), rung, simulation);
     Ok(Found::new(quantities, None))
 }

@@ -22,8 +22,7 @@ const FRICTION: f64 = 0.1;
 /// Distance below which the barrier pushes \[m\], and its stiffness \[Pa/m\].
 const GAP: f64 = 0.04;
 const KAPPA: f64 = 1e4;
-/// Stiffness of the tangential spring \[Pa/m\].
-const KAPPA_T: f64 = 1e6;
+const KAPPA_T: f64 = 1e6; // Stiffness of the tangential spring [Pa/m]
 /// Local damping while the disk settles, and for how long \[s\].
 const SETTLING: f64 = 0.3;
 const STAGE: f64 = 0.5;
@@ -33,9 +32,6 @@ const LOOKS: u32 = 20;
 
 const SPIN: &str = "spin per impulse of friction";
 
-/// Slopes \[degrees\], by variant.
-const SLOPES: [(&str, f64); 3] = [("20 deg", 20.0), ("30 deg", 30.0), ("45 deg", 45.0)];
-
 const WRONG_ARM: Wrong = Wrong::factor("arm", 1.04);
 
 /// The disk on three slopes.
@@ -43,22 +39,43 @@ pub static SLIPPING_DISK: Case = Case::new(
     "slipping-disk",
     "Does friction turn a disk as much as its impulse says?",
 )
-.ladder(Ladder::made(rungs))
-.method(method)
+.ladder(Ladder::sizes(
+    &[("30 deg", &[0.2, 0.1])],
+    &[
+        ("20 deg", &[0.2, 0.1, 0.05]),
+        ("30 deg", &[0.2, 0.1, 0.05]),
+        ("45 deg", &[0.2, 0.1, 0.05]),
+    ],
+))
+.method(|_| settings(APIC, 5))
 .scene(scene)
 .run(compare)
-.judge_by(judge)
+.gates_of_variants(&[
+    error(SPIN)
+        .at_most_of(
+            [0.04, 0.01],
+            ["one percent at a tenth of the radius, four times as much at a fifth"; 2],
+        )
+        .by_rung(),
+    order(SPIN).at_least(1.8, "inertia of mass on nodes is h² off"),
+])
+.tables(&[TableRule::new("{variant}", &[SPIN])])
 .wrong_references(&[WRONG_ARM])
 .studies(&[Plan::new(
-    Ladder::made(path),
+    Ladder::sizes(&[("30 deg", &[0.2, 0.1])], &[("30 deg", &[0.2, 0.1, 0.05])]),
     &[Measure::new("spin", SPIN)],
     2,
 )])
 .no_guest(NO_GUEST);
 
+/// Angle of the slope of a rung \[rad\].
 fn slope(rung: &Rung) -> f64 {
-    let slope = SLOPES.iter().find(|(variant, _)| *variant == rung.variant);
-    slope.map_or(f64::NAN, |(_, degrees)| degrees.to_radians())
+    let degrees: f64 = match rung.variant {
+        "20 deg" => 20.0,
+        "30 deg" => 30.0,
+        _ => 45.0,
+    };
+    degrees.to_radians()
 }
 
 /// Arm of the friction \[m\]: the radius less the approach of a disk to a rigid plane under its load.
@@ -69,50 +86,6 @@ fn arm(slope: f64) -> f64 {
         modulus: contact_modulus([YOUNG, f64::INFINITY], [POISSON, 0.0]),
     };
     RADIUS - hertz.approach()
-}
-
-fn rungs(size: Size) -> Vec<Rung> {
-    let quick: &[(&'static str, &[f64])] = &[("30 deg", &[0.2, 0.1])];
-    let cells: &[f64] = &[0.2, 0.1, 0.05];
-    match size {
-        Size::Quick => Rung::ladders(quick),
-        Size::Full => Rung::ladders(&SLOPES.map(|(variant, _)| (variant, cells))),
-    }
-}
-
-fn judge(runs: &Runs<'_>) -> Verdict {
-    let mut verdict = Verdict::default();
-    for (variant, _) in SLOPES {
-        if !runs.solved.iter().any(|(rung, _)| rung.variant == variant) {
-            continue;
-        }
-        let table = table(runs.solved, variant, &[SPIN]);
-        let (finest, bound) = match runs.size {
-            Size::Quick => (0.1, 0.04),
-            Size::Full => (0.05, 0.01),
-        };
-        verdict.gates.push(error_at_most(
-            runs.solved,
-            &format!("{variant} h={finest}"),
-            SPIN,
-            bound,
-            "one percent at a tenth of the radius, four times as much at a fifth",
-        ));
-        let order = order_gate(&table, SPIN, 1.8, "inertia of mass on nodes is h² off");
-        verdict
-            .gates
-            .push(super::judging::of_variant(variant, order));
-        verdict.tables.push((variant.to_owned(), table));
-    }
-    verdict
-}
-
-fn method(_rung: &Rung) -> Settings {
-    let method = Method {
-        transfer: TransferKind::Apic,
-        ..Method::DEFAULT
-    };
-    settings(method, 5)
 }
 
 fn scene(rung: &Rung, settings: &Settings) -> Scene {
@@ -163,13 +136,8 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
 }
 
 fn compare(run: Run<'_>) -> Result<Found, Failure> {
-    let Run {
-        rung,
-        reference,
-        simulation,
-        observer,
-        ..
-    } = run;
+    let (rung, reference) = (run.rung, run.reference);
+    let (simulation, observer) = (run.simulation, run.observer);
     let slope = slope(rung);
     let arm = reference.of(&WRONG_ARM) * arm(slope);
     run_until(simulation, STAGE, &mut *observer, |_| ())?;
@@ -202,12 +170,4 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
         points,
     );
     Ok(Found::new(quantities, Some(curve)))
-}
-
-fn path(size: Size) -> Vec<Rung> {
-    let cells: &[f64] = match size {
-        Size::Quick => &[0.2, 0.1],
-        Size::Full => &[0.2, 0.1, 0.05],
-    };
-    Rung::ladders(&[("30 deg", cells)])
 }

@@ -12,17 +12,14 @@
 //! `proctor verify slope`; `proctor report RECORD` draws the frames.
 
 use super::prelude::*;
-use super::run_out::{self, FRONT, TOP};
+use super::vocabulary::run_out::{self, FRONT, TOP};
 
 /// Height of the bank and length of its crest \[m\].
 const HEIGHT: f64 = 5.0;
 const CREST: f64 = 10.0;
-/// Length of the ground \[m\].
-const GROUND: f64 = 40.0;
-/// Density \[kg/m³\].
-const DENSITY: f64 = 1800.0;
-/// Gravity \[m/s²\].
-const GRAVITY: f64 = 9.81;
+const GROUND: f64 = 40.0; // Length of the ground [m]
+const DENSITY: f64 = 1800.0; // Density [kg/m³]
+const GRAVITY: f64 = 9.81; // Gravity [m/s²]
 /// Young's modulus \[Pa\]: a hundred times the stress at the base.
 const YOUNG: f64 = 9e6;
 const POISSON: f64 = 0.4;
@@ -32,16 +29,12 @@ const STRENGTH: [f64; 2] = [12e3, 4e3];
 /// Plastic strain over which it falls, and width of the band in which it was seen to \[m\].
 const SOFTENED: f64 = 0.4;
 const WIDTH: f64 = 0.25;
-/// Time \[s\].
-const TIME: f64 = 12.0;
+const TIME: f64 = 12.0; // Time [s]
 
-/// The law as it stands.
-const LOCAL: &str = "local";
-/// Softening that scales with the cell.
-const CRACK_BAND: &str = "crack band";
+const LOCAL: &str = "local"; // The law as it stands
+const CRACK_BAND: &str = "crack band"; // Softening that scales with the cell
 
-/// How far the front came beyond the foot of the slope.
-const BEYOND: &str = "run-out over height";
+const BEYOND: &str = "run-out over height"; // How far the front came beyond the foot of the slope
 
 /// APIC, which does not ring where particles cross cells.
 const METHOD: Method = Method {
@@ -171,13 +164,8 @@ fn scene(rung: &Rung, _: &Settings) -> Scene {
 }
 
 fn compare(run: Run<'_>) -> Result<Found, Failure> {
-    let Run {
-        rung,
-        reference,
-        simulation,
-        observer,
-        ..
-    } = run;
+    let (rung, reference) = (run.rung, run.reference);
+    let (simulation, observer) = (run.simulation, run.observer);
     let run = run_out::run(simulation, reference.of(&WRONG_WORK), observer)?;
     let foot = CREST + HEIGHT;
     let points = run

@@ -15,45 +15,31 @@
 use super::prelude::*;
 use crate::exact::softening_bar::SofteningBar as Exact;
 
-/// Length \[m\].
-const LENGTH: f64 = 2.0;
-/// Young's modulus \[Pa\].
-const YOUNG: f64 = 1.0;
-/// Density \[kg/m³\]: waves run at 1 m/s.
-const DENSITY: f64 = 1.0;
-/// Strength of the bar \[Pa\].
-const STRENGTH: f64 = 1e-5;
-/// Strength of its middle over that.
-const WEAK: f64 = 0.98;
+const LENGTH: f64 = 2.0; // Length [m]
+const YOUNG: f64 = 1.0; // Young's modulus [Pa]
+const DENSITY: f64 = 1.0; // Density [kg/m³]: waves run at 1 m/s
+const STRENGTH: f64 = 1e-5; // Strength of the bar [Pa]
+const WEAK: f64 = 0.98; // Strength of its middle over that
 /// Opening at which the band has parted over the displacement at which the bar begins to soften: the larger it is, the
 /// slower the stress falls.
 const OPENING: f64 = 3.0;
-/// Width of the band in which strength falls as the law says \[m\].
-const WIDTH: f64 = 0.1;
-/// Displacement of the end over the opening.
-const DRAWN: f64 = 1.2;
-/// Time over which it is drawn \[s\]: two hundred times that of a wave.
-const TIME: f64 = 400.0;
-/// Rate of viscous damping \[1/s\].
-const RATE: f64 = 0.02;
-/// Rows of the prescribed velocity.
-const ROWS: u32 = 400;
-/// Points of the picture.
-const POINTS: usize = 120;
+const WIDTH: f64 = 0.1; // Width of the band in which strength falls as the law says [m]
+const DRAWN: f64 = 1.2; // Displacement of the end over the opening
+const TIME: f64 = 400.0; // Time over which it is drawn [s]: two hundred times that of a wave
+const RATE: f64 = 0.02; // Rate of viscous damping [1/s]
+const ROWS: u32 = 400; // Rows of the prescribed velocity
+const POINTS: usize = 120; // Points of the picture
 
-/// Softening that scales with the cell.
-const CRACK_BAND: &str = "crack band";
-/// The law as it stands.
-const LOCAL: &str = "local";
-/// The weak zone around a node.
-const ON_A_NODE: &str = "on a node";
+const CRACK_BAND: &str = "crack band"; // Softening that scales with the cell
+const LOCAL: &str = "local"; // The law as it stands
+const ON_A_NODE: &str = "on a node"; // The weak zone around a node
 
 /// Names of the quantities.
 const ENERGY: &str = "dissipated over fracture energy";
 const PEAK: &str = "largest stress";
 
-const WRONG_OPENING: Wrong =
-    Wrong::factor("opening", 1.1).breaks(|gate| gate.contains("crack band"));
+const WRONG_OPENING: Wrong = Wrong::factor("opening", 1.1)
+    .breaks(|gate| gate.starts_with("least") && gate.contains("crack band"));
 
 /// The bar that parts.
 pub static SOFTENING_BAR: Case = Case::new(

@@ -15,17 +15,15 @@
 
 mod height;
 
-use super::incline::dot;
 use super::prelude::*;
+use super::vocabulary::incline::dot;
 use height::HeightField;
 use proctor_files::stl::parse;
 
 /// The terrain of the fixtures.
 const TERRAIN: &[u8] = include_bytes!("../../../fixtures/surfaces/terrain.stl");
-/// Gravity \[m/s²\].
-const GRAVITY: f64 = 9.81;
-/// Velocity at the start \[m/s\].
-const VELOCITY: Vector = [0.3, 0.1, -1.0];
+const GRAVITY: f64 = 9.81; // Gravity [m/s²]
+const VELOCITY: Vector = [0.3, 0.1, -1.0]; // Velocity at the start [m/s]
 /// Centre and radius of the sphere \[m\].
 const CENTER: Vector = [0.93, 1.02, 0.78];
 const RADIUS: f64 = 0.3;
@@ -33,12 +31,9 @@ const RADIUS: f64 = 0.3;
 /// off in a seventh.
 const TIME: f64 = 0.5;
 const TIME_FAST: f64 = 0.07;
-/// Time of the study \[s\]: it has bounced once.
-const TIME_BOUNCE: f64 = 0.12;
-/// Time step over the cell where the terrain is smooth \[s/m\].
-const STEP: f64 = 2.5e-3;
-/// Friction of the scene.
-const FRICTION: f64 = 0.4;
+const TIME_BOUNCE: f64 = 0.12; // Time of the study [s]: it has bounced once
+const STEP: f64 = 2.5e-3; // Time step over the cell where the terrain is smooth [s/m]
+const FRICTION: f64 = 0.4; // Friction of the scene
 
 /// Names of the quantities.
 const DEPTH: &str = "deepest penetration over cell";
@@ -52,12 +47,9 @@ const DOWNWARD: &str = "largest pull, over weight";
 /// Name of the energy of a bounce: that of the last step over that of the first.
 const KEPT: &str = "energy after the bounce, over the initial";
 
-/// Largest penetration over the cell.
-const DEPTH_GATE: f64 = 0.5;
-/// Round-off over some thousand steps.
-const ROUND_OFF: f64 = 1e-11;
-/// The first force acts in the step in which the particle would pass.
-const TOUCH_GATE: f64 = 1.0;
+const DEPTH_GATE: f64 = 0.5; // Largest penetration over the cell
+const ROUND_OFF: f64 = 1e-11; // Round-off over some thousand steps
+const TOUCH_GATE: f64 = 1.0; // The first force acts in the step in which the particle would pass
 
 const WRONG_PULL: Wrong = Wrong::factor("pull", 1.01)
     .breaks(|gate| {
@@ -73,9 +65,19 @@ pub static SPHERE_ON_TERRAIN: Case = Case::new("sphere-on-terrain", "Does a sphe
     .method(method)
     .scene_by(scene)
     .run(compare)
-    .judge_by(judge)
+    .gates_of_rungs(&[
+    error(DEPTH).at_most(DEPTH_GATE, "half a cell, what the project promises"),
+    error(BELOW).at_most(0.0, "no particle passes the terrain unnoticed"),
+    error(FREE_FALL).at_most(ROUND_OFF, "until it touches, the sphere falls freely"),
+    error(TOUCH).at_most(TOUCH_GATE, "the force acts in the step in which a particle would pass"),
+    error(MOMENTUM).at_most(ROUND_OFF, "weight and impulse are all that changes momentum"),
+    error(GAINED).at_most(ROUND_OFF, "a smooth terrain gives no energy").on(is_smooth),
+    error(DOWNWARD)
+        .at_most(0.0, "the normals of a terrain point up, and contact never pulls")
+        .on(is_smooth),
+])
     .wrong_references(&[WRONG_PULL])
-    .studies(&[Plan::new(Ladder::made(path), &[Measure::new("energy", KEPT)], 3).trying(few)])
+    .studies(&[Plan::new(Ladder::sizes(&[(BOUNCE.0, &[0.2, 0.1])], &[(BOUNCE.0, &[0.2, 0.1, 0.05])]), &[Measure::new("energy", KEPT)], 3).trying(few)])
     .no_guest("what is known exactly are energies step by step, and frames hold none");
 
 /// A variant: its name, scheme, factor of the speed, and whether the terrain is smooth.
@@ -280,41 +282,8 @@ fn rungs(size: Size) -> Vec<Rung> {
     Rung::ladders(&VARIANTS.map(|(variant, ..)| (variant, cells)))
 }
 
-fn judge(runs: &Runs<'_>) -> Verdict {
-    let mut verdict = Verdict::default();
-    for rung in runs.rungs {
-        let (.., smooth) = variant(&rung);
-        let mut gate = |name, bound, reason| {
-            let gate = error_at_most(runs.solved, &rung.label, name, bound, reason);
-            verdict.gates.push(gate);
-        };
-        gate(DEPTH, DEPTH_GATE, "half a cell, what the project promises");
-        gate(BELOW, 0.0, "no particle passes the terrain unnoticed");
-        gate(
-            FREE_FALL,
-            ROUND_OFF,
-            "until it touches, the sphere falls freely",
-        );
-        gate(
-            TOUCH,
-            TOUCH_GATE,
-            "the force acts in the step in which a particle would pass",
-        );
-        gate(
-            MOMENTUM,
-            ROUND_OFF,
-            "weight and impulse are all that changes momentum",
-        );
-        if smooth {
-            gate(GAINED, ROUND_OFF, "a smooth terrain gives no energy");
-            gate(
-                DOWNWARD,
-                0.0,
-                "the normals of a terrain point up, and contact never pulls",
-            );
-        }
-    }
-    verdict
+fn is_smooth(rung: &Rung) -> bool {
+    variant(rung).3
 }
 
 /// Density \[kg/m³\], Young's modulus \[Pa\] and Poisson's ratio of the scene.
@@ -383,13 +352,8 @@ fn scene(rung: &Rung, settings: &Settings, reference: Reference) -> Scene {
 }
 
 fn compare(run: Run<'_>) -> Result<Found, Failure> {
-    let Run {
-        rung,
-        settings,
-        simulation,
-        observer,
-        ..
-    } = run;
+    let (rung, settings) = (run.rung, run.settings);
+    let (simulation, observer) = (run.simulation, run.observer);
     let rigid = simulation.scene().surfaces.first();
     let surface = rigid.ok_or("there is no terrain")?.surface.clone();
     let velocity = simulation.scene().bodies[0].velocity;
@@ -410,11 +374,4 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
     })?;
     let quantities = quantities(rung, simulation, &seen, &start, touch);
     Ok(Found::new(quantities, None))
-}
-
-fn path(size: Size) -> Vec<Rung> {
-    Rung::ladders(match size {
-        Size::Quick => &[(BOUNCE.0, &[0.2, 0.1])],
-        Size::Full => &[(BOUNCE.0, &[0.2, 0.1, 0.05])],
-    })
 }

@@ -11,21 +11,19 @@
 //! stress is `R sigma R^T`, its principal values stay, and so do plastic strain and plastic work. `proctor verify spin`.
 
 use super::prelude::*;
-use super::yielding::{DRUCKER_PRAGER, MOHR_COULOMB, TRESCA, VON_MISES, Yielding};
+use super::vocabulary::yielding::{DRUCKER_PRAGER, MOHR_COULOMB, TRESCA, VON_MISES, Yielding};
 use crate::exact::turned::{Matrix, Tensor, invariants, length, rotation, turn, turned};
 
 /// Young's modulus \[Pa\] and density \[kg/m³\]: waves run at 1.1 m/s.
 const YOUNG: f64 = 1.0;
 const DENSITY: f64 = 1.0;
-/// Yield stress of von Mises \[Pa\].
-const STRENGTH: f64 = 2e-3;
+const STRENGTH: f64 = 2e-3; // Yield stress of von Mises [Pa]
 /// Cells are so many times as large as a wave runs in a step, about.
 const CELLS_PER_STEP: f64 = 10.0;
 /// Cells along the body, and empty ones on each side of it.
 const WIDE: usize = 2;
 const MARGIN: usize = 2;
-/// Steps in which the body is strained.
-const STRAINING: u32 = 64;
+const STRAINING: u32 = 64; // Steps in which the body is strained
 /// Strain before the spin, five times that at which it yields: compression with shear.
 const STRAIN: [Matrix; 2] = [
     [[-1e-2, 3e-3, 0.0], [3e-3, 2e-3, 0.0], [0.0; 3]],
@@ -35,8 +33,7 @@ const STRAIN: [Matrix; 2] = [
         [2e-3, -1e-3, -2e-3],
     ],
 ];
-/// The stress is compared so many times in a turn.
-const LOOKS: u32 = 16;
+const LOOKS: u32 = 16; // The stress is compared so many times in a turn
 
 /// Names of the quantities.
 const TURNED: &str = "stress that has turned off by, over it";
@@ -72,11 +69,6 @@ const VARIANTS: [Variant; 8] = [
 ];
 
 impl Variant {
-    fn of(rung: &Rung) -> Self {
-        let found = VARIANTS.into_iter().find(|v| v.name == rung.variant);
-        found.unwrap_or(VARIANTS[0])
-    }
-
     /// Axis of the spin.
     fn axis(self) -> [f64; 3] {
         match self.dimension {
@@ -199,6 +191,8 @@ fn off_by(start: &Yielded, now: &Yielded, rotation: &Matrix) -> Off {
     ]
 }
 
+const TURNS: &str = "turned by the midpoint rule; round-off of some thousand steps is left";
+const FLOWS: &str = "no strain that would load it; round-off is left";
 const WRONG_ANGLE: Wrong =
     Wrong::factor("angle", 1.001).breaks_only(|gate| gate.contains("turned"));
 const WRONG_STRAIN: Wrong = Wrong::value("strain", 0.0, 1e-5);
@@ -212,7 +206,12 @@ pub static SPIN: Case = Case::new(
 .scene(scene)
 .options(options)
 .run(compare)
-.judge_by(judge)
+.gates_of_rungs(&[
+    error(TURNED).at_most(1e-10, TURNS),
+    error(PRINCIPAL).at_most(1e-10, TURNS),
+    error(MULTIPLIER).at_most(1e-10, FLOWS),
+    error(WORK).at_most(1e-10, FLOWS),
+])
 .wrong_references(&[WRONG_ANGLE, WRONG_STRAIN])
 .no_study(
     "all nodes move as prescribed, so that weighting functions, schemes and transfers have no say",
@@ -220,7 +219,7 @@ pub static SPIN: Case = Case::new(
 
 /// How all nodes move.
 fn motion(reference: Reference, rung: &Rung) -> Driven {
-    let (variant, dt) = (Variant::of(rung), time_step(rung));
+    let (variant, dt) = (*rung.problem::<Variant>(), time_step(rung));
     let [lower, upper] = variant.corners(rung.cell);
     let steps = f64::from(steps_per_turn(rung));
     let step = turn(variant.axis(), TAU / steps);
@@ -256,7 +255,7 @@ fn spin(
     observer: &mut dyn Observer,
 ) -> Result<Found, Failure> {
     observer.phase(Phase::Stepping);
-    let variant = Variant::of(rung);
+    let variant = *rung.problem::<Variant>();
     advance(simulation, u64::from(STRAINING), observer)?;
     let starts = yielded(simulation)?;
     let (all, mut off) = (looks(rung), [0.0; 4]);
@@ -287,31 +286,14 @@ fn rungs(size: Size) -> Vec<Rung> {
         .iter()
         .flat_map(|v| {
             let word = format!("{}, steps in a turn", v.name);
-            Rung::counted(v.name, &word, CELLS_PER_STEP, steps)
+            let rungs = Rung::counted(v.name, &word, CELLS_PER_STEP, steps);
+            rungs.into_iter().map(|rung| rung.with(*v))
         })
         .collect()
 }
 
-fn judge(runs: &Runs<'_>) -> Verdict {
-    let mut verdict = Verdict::default();
-    let turns = "turned by the midpoint rule; round-off of some thousand steps is left";
-    let flows = "no strain that would load it; round-off is left";
-    for rung in runs.rungs {
-        let bounds = [
-            (TURNED, turns),
-            (PRINCIPAL, turns),
-            (MULTIPLIER, flows),
-            (WORK, flows),
-        ];
-        let gates = bounds
-            .map(|(name, reason)| error_at_most(runs.solved, &rung.label, name, 1e-10, reason));
-        verdict.gates.extend(gates);
-    }
-    verdict
-}
-
 fn scene(rung: &Rung, _: &Settings) -> Scene {
-    let (h, variant) = (rung.cell, Variant::of(rung));
+    let (h, variant) = (rung.cell, *rung.problem::<Variant>());
     let axes = variant.dimension.axes();
     let mut mesh = Mesh::new(variant.dimension, [0.0; 3], [h; 3], [1; 3]);
     mesh.cells[..axes].fill(WIDE + 2 * MARGIN);

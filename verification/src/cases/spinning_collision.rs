@@ -20,16 +20,13 @@ const FRICTION: f64 = 0.8;
 /// Distance below which the barrier pushes \[m\], and its stiffness \[Pa/m\].
 const GAP: f64 = 0.01;
 const KAPPA: f64 = 1.6e5;
-/// Stiffness of the tangential spring \[Pa/m\].
-const KAPPA_T: f64 = 1e6;
+const KAPPA_T: f64 = 1e6; // Stiffness of the tangential spring [Pa/m]
 /// Velocity of the first disk \[m/s\]; that of the other is its opposite.
 const VELOCITY: Vector = [0.1, 0.6, 0.0];
 /// They part before \[s\].
 const TIME: f64 = 0.4;
 const LOOKS: u32 = 30;
-const VARIANT: &str = "disks";
-/// Spacing of the vertices \[m\].
-const SPACING: f64 = TAU * RADIUS / 128.0;
+const SPACING: f64 = TAU * RADIUS / 128.0; // Spacing of the vertices [m]
 
 const SPIN: [&str; 2] = [
     "spin per impulse of friction, master",
@@ -37,6 +34,7 @@ const SPIN: [&str; 2] = [
 ];
 const BOTH: &str = "spin per impulse of friction, both";
 
+const PERCENT: &str = "one percent at a tenth of the radius, four times as much at a fifth";
 const WRONG_ARM: Wrong = Wrong::factor("arm", 1.04);
 
 /// The two disks.
@@ -44,14 +42,26 @@ pub static SPINNING_COLLISION: Case = Case::new(
     "spinning-collision",
     "Do two disks that graze each other spin as much as the impulse of their friction says?",
 )
-.ladder(Ladder::made(rungs))
-.method(method)
+.ladder(Ladder::sizes(
+    &[("disks", &[0.2, 0.1])],
+    &[("disks", &[0.2, 0.1, 0.05])],
+))
+.method(|_| settings(APIC, 5))
 .scene(scene)
 .run(compare)
-.judge_by(judge)
+.gates(&[
+    error(SPIN[0])
+        .at_most_of([0.04, 0.01], [PERCENT; 2])
+        .by_rung(),
+    error(SPIN[1])
+        .at_most_of([0.04, 0.01], [PERCENT; 2])
+        .by_rung(),
+    order(BOTH).at_least_of([1.7, 1.8], "inertia of mass on nodes is h² off"),
+])
+.tables(&[TableRule::new("disks", &[SPIN[0], SPIN[1], BOTH])])
 .wrong_references(&[WRONG_ARM])
 .studies(&[Plan::new(
-    Ladder::made(rungs),
+    Ladder::sizes(&[("disks", &[0.2, 0.1])], &[("disks", &[0.2, 0.1, 0.05])]),
     &[
         Measure::new("spin of the master", SPIN[0]),
         Measure::new("spin of the slave", SPIN[1]),
@@ -83,44 +93,6 @@ fn force_on(simulation: &Simulation, id: i64) -> [f64; 2] {
     let f = simulation.mortar_force(id).unwrap_or([f64::NAN; 3]);
     // From its centre the contact lies along -n, so that a force along (n_y, -n_x) turns it anticlockwise.
     [f[0] * n[0] + f[1] * n[1], f[0] * n[1] - f[1] * n[0]]
-}
-
-fn rungs(size: Size) -> Vec<Rung> {
-    let cells: &[f64] = match size {
-        Size::Quick => &[0.2, 0.1],
-        Size::Full => &[0.2, 0.1, 0.05],
-    };
-    Rung::ladders(&[(VARIANT, cells)])
-}
-
-fn judge(runs: &Runs<'_>) -> Verdict {
-    let mut verdict = Verdict::default();
-    let table = table(runs.solved, VARIANT, &[SPIN[0], SPIN[1], BOTH]);
-    let (finest, bound, order) = match runs.size {
-        Size::Quick => ("disks h=0.1", 0.04, 1.7),
-        Size::Full => ("disks h=0.05", 0.01, 1.8),
-    };
-    for spin in SPIN {
-        verdict.gates.push(error_at_most(
-            runs.solved,
-            finest,
-            spin,
-            bound,
-            "one percent at a tenth of the radius, four times as much at a fifth",
-        ));
-    }
-    let reason = "inertia of mass on nodes is h² off";
-    verdict.gates.push(order_gate(&table, BOTH, order, reason));
-    verdict.tables.push((VARIANT.to_owned(), table));
-    verdict
-}
-
-fn method(_rung: &Rung) -> Settings {
-    let method = Method {
-        transfer: TransferKind::Apic,
-        ..Method::DEFAULT
-    };
-    settings(method, 5)
 }
 
 fn scene(rung: &Rung, settings: &Settings) -> Scene {
@@ -161,13 +133,8 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
 }
 
 fn compare(run: Run<'_>) -> Result<Found, Failure> {
-    let Run {
-        rung,
-        reference,
-        simulation,
-        observer,
-        ..
-    } = run;
+    let (rung, reference) = (run.rung, run.reference);
+    let (simulation, observer) = (run.simulation, run.observer);
     let (mut impulse, mut expected, mut pressed) = ([0.0; 2], [0.0; 2], 0.0);
     let mut points = vec![];
     for k in 1..=LOOKS {

@@ -17,20 +17,13 @@
 use super::prelude::*;
 use crate::exact::axis_aligned_mms::{AxisAlignedMms, Law};
 
-/// Length \[m\].
-const LENGTH: f64 = 1.0;
-/// Young's modulus \[Pa\]; Poisson's ratio is zero.
-const YOUNG: f64 = 1e6;
-/// Density \[kg/m³\].
-const DENSITY: f64 = 1e3;
-/// Amplitude \[m\].
-const AMPLITUDE: f64 = 0.05;
-/// End of the comparison in transits: the sine is at 0.81.
-const END: f64 = 0.7;
-/// `c dt/h`.
-const COURANT: f64 = 0.2;
-/// Strain a half step behind, as the kernel starts.
-const STAGGERED: &str = "staggered";
+const LENGTH: f64 = 1.0; // Length [m]
+const YOUNG: f64 = 1e6; // Young's modulus [Pa]; Poisson's ratio is zero
+const DENSITY: f64 = 1e3; // Density [kg/m³]
+const AMPLITUDE: f64 = 0.05; // Amplitude [m]
+const END: f64 = 0.7; // End of the comparison in transits: the sine is at 0.81
+const COURANT: f64 = 0.2; // `c dt/h`
+const STAGGERED: &str = "staggered"; // Strain a half step behind, as the kernel starts
 /// All at t = 0.
 const AT_ONCE: &str = "at once";
 const ORDER_STAGGERED: f64 = 1.7;

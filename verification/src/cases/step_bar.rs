@@ -16,33 +16,23 @@ use super::prelude::*;
 use crate::exact::bar_impact::MovingBar;
 use crate::exact::step_bar::StepBar as Exact;
 
-/// Length \[m\].
-const LENGTH: f64 = 1.0;
-/// Young's modulus \[Pa\]; Poisson's ratio is zero.
-const YOUNG: f64 = 1e6;
-/// Density \[kg/m³\]; waves run at 31.6 m/s.
-const DENSITY: f64 = 1e3;
-/// Pressure over modulus, and speed of the thrown bar over that of waves.
-const STRAIN: f64 = 1e-4;
-/// `c dt/h`.
-const COURANT: f64 = 0.3;
-/// Empty cells beyond the free end.
-const AIR: usize = 2;
-/// Thickness of the wall of the thrown bar in cells.
-const WALL_CELLS: usize = 2;
+const LENGTH: f64 = 1.0; // Length [m]
+const YOUNG: f64 = 1e6; // Young's modulus [Pa]; Poisson's ratio is zero
+const DENSITY: f64 = 1e3; // Density [kg/m³]; waves run at 31.6 m/s
+const STRAIN: f64 = 1e-4; // Pressure over modulus, and speed of the thrown bar over that of waves
+const COURANT: f64 = 0.3; // `c dt/h`
+const AIR: usize = 2; // Empty cells beyond the free end
+const WALL_CELLS: usize = 2; // Thickness of the wall of the thrown bar in cells
 /// Time of the comparison of the pressed bar, in transits: the front is on its way in.
 const COMPARED: f64 = 0.75;
 /// Between these times, in transits, the pressure at the held end is judged: the front is on its way back.
 const REFLECTED: [f64; 2] = [1.25, 1.75];
 /// Between these times the pressure of the thrown bar is judged.
 const PRESSED: [f64; 2] = [0.5, 1.5];
-/// End of the run of the thrown bar, in transits.
-const PARTED: f64 = 3.0;
+const PARTED: f64 = 3.0; // End of the run of the thrown bar, in transits
 
-/// Bar under a pressure.
-const LOADED: &str = "pressed";
-/// Bar against a wall.
-const THROWN: &str = "thrown";
+const LOADED: &str = "pressed"; // Bar under a pressure
+const THROWN: &str = "thrown"; // Bar against a wall
 
 /// Names of the quantities.
 const FRONT: &str = "way of the front";
@@ -55,6 +45,9 @@ const REBOUND: &str = "speed of the rebound";
 /// What a simulation that keeps displacements does not lack.
 const MISSING: &str = "the simulation kept no initial positions";
 
+const KINK: &str = "a kink over w, with the error w of what it bends: w^(3/2)";
+const MEAN: &str = "ringing averages out, and leaves no more than w²";
+const IMPACT: &str = "the last of the wave's impulse comes w late, or never";
 const WRONG_STIFFNESS: Wrong = Wrong::factor("stiffness", 1.1).breaks(|gate| {
     ["error of L2(u)", "error of way of", "error of duration"]
         .iter()
@@ -71,15 +64,86 @@ pub static STEP_BAR: Case = Case::new(
     "step-bar",
     "Does a front run with c, double at a wall, and throw a bar back from one?",
 )
-.ladder(Ladder::made(rungs))
+.ladder(Ladder::variants(
+    &[LOADED, THROWN],
+    " ",
+    "L/h",
+    LENGTH,
+    [&[32, 64, 128], &[32, 64, 128, 256]],
+))
 .method(|_| Settings::new(Method::DEFAULT).courant(COURANT))
 .scene(scene)
 .displacements()
 .run(compare)
-.judge_by(judge)
+.gates_of_variants(&[
+    error(DISPLACEMENT)
+        .at_most_spread(LENGTH, [1.0, 1.5], KINK)
+        .on(is_loaded),
+    error(FRONT)
+        .at_most_spread(
+            LENGTH,
+            [0.1, 1.0],
+            "a tenth of the width w over which dispersion spreads it",
+        )
+        .on(is_loaded),
+    error(SPEED)
+        .at_most_spread(LENGTH, [1.0, 2.0], MEAN)
+        .on(is_loaded),
+    error(HELD)
+        .at_most_spread(LENGTH, [1.0, 2.0], MEAN)
+        .on(is_loaded),
+    order(DISPLACEMENT)
+        .at_least(0.8, "order 1 of a kink, less 0.2")
+        .on(is_loaded),
+    order(STRESS)
+        .at_least(0.25, "order 1/3 of a jump, less 0.08")
+        .on(is_loaded),
+    error(DURATION)
+        .at_most_spread(LENGTH, [0.5, 1.0], IMPACT)
+        .on(is_thrown),
+    error(PRESSURE)
+        .at_most_spread(LENGTH, [1.0, 2.0], MEAN)
+        .on(is_thrown),
+    error(REBOUND)
+        .at_most_spread(LENGTH, [0.5, 1.0], IMPACT)
+        .on(is_thrown),
+    order(DURATION)
+        .at_least(0.6, "2/3, as the front spreads")
+        .on(is_thrown),
+])
+.tables(&[
+    TableRule::new(
+        "step-bar, {variant}, uGIMP, USL, FLIP",
+        &[DISPLACEMENT, FRONT, SPEED, HELD, STRESS],
+    )
+    .of(|variant| variant == LOADED),
+    TableRule::new(
+        "step-bar, {variant}, uGIMP, USL, FLIP",
+        &[DURATION, PRESSURE, REBOUND],
+    )
+    .of(|variant| variant == THROWN),
+])
 .wrong_references(&[WRONG_STIFFNESS, WRONG_LOAD])
-.studies(&[Plan::new(Ladder::made(path), FIELDS, 1)])
+.studies(&[Plan::new(
+    Ladder::variants(
+        &[LOADED],
+        " ",
+        "L/h",
+        LENGTH,
+        [&[16, 32, 64], &[16, 32, 64, 128, 256]],
+    ),
+    FIELDS,
+    1,
+)])
 .guest(guest);
+
+fn is_loaded(rung: &Rung) -> bool {
+    rung.variant == LOADED
+}
+
+fn is_thrown(rung: &Rung) -> bool {
+    rung.variant == THROWN
+}
 
 /// The exact bar, as the case refers to it.
 fn exact(reference: Reference) -> Exact {
@@ -99,10 +163,6 @@ fn transit() -> f64 {
 /// Speed of the thrown bar \[m/s\].
 fn speed() -> f64 {
     STRAIN * (YOUNG / DENSITY).sqrt()
-}
-
-fn rungs_of(variant: &'static str, counts: &[u32]) -> Vec<Rung> {
-    Rung::counted(variant, &format!("{variant} L/h"), LENGTH, counts)
 }
 
 /// Cross-section of the bar \[m²\]: one cell high, 1 m thick.
@@ -235,78 +295,6 @@ fn thrown(
     Ok(Found::new(quantities, None))
 }
 
-fn rungs(size: Size) -> Vec<Rung> {
-    let counts: &[u32] = match size {
-        Size::Quick => &[32, 64, 128],
-        Size::Full => &[32, 64, 128, 256],
-    };
-    [LOADED, THROWN]
-        .into_iter()
-        .flat_map(|variant| rungs_of(variant, counts))
-        .collect()
-}
-
-fn judge(runs: &Runs<'_>) -> Verdict {
-    let mut verdict = Verdict::default();
-    let kink = "a kink over w, with the error w of what it bends: w^(3/2)";
-    let front = "a tenth of the width w over which dispersion spreads it";
-    let mean = "ringing averages out, and leaves no more than w²";
-    let impact = "the last of the wave's impulse comes w late, or never";
-    // Of each gate the power of w/L that bounds it, and by how much.
-    for (variant, gates, orders) in [
-        (
-            LOADED,
-            &[
-                (DISPLACEMENT, 1.0, 1.5, kink),
-                (FRONT, 0.1, 1.0, front),
-                (SPEED, 1.0, 2.0, mean),
-                (HELD, 1.0, 2.0, mean),
-            ][..],
-            &[
-                (DISPLACEMENT, 0.8, "order 1 of a kink, less 0.2"),
-                (STRESS, 0.25, "order 1/3 of a jump, less 0.08"),
-            ][..],
-        ),
-        (
-            THROWN,
-            &[
-                (DURATION, 0.5, 1.0, impact),
-                (PRESSURE, 1.0, 2.0, mean),
-                (REBOUND, 0.5, 1.0, impact),
-            ],
-            &[(DURATION, 0.6, "2/3, as the front spreads")],
-        ),
-    ] {
-        let own: Vec<Rung> = runs
-            .rungs
-            .iter()
-            .filter(|rung| rung.variant == variant)
-            .cloned()
-            .collect();
-        let Some(finest) = own.last() else {
-            continue;
-        };
-        let spread = libm::pow(finest.cell / LENGTH, 2.0 / 3.0);
-        let mut names: Vec<_> = gates.iter().map(|gate| gate.0).collect();
-        names.extend((variant == LOADED).then_some(STRESS));
-        let table = table(runs.solved, variant, &names);
-        let bounds = gates.iter().map(|&(name, share, power, reason)| {
-            let bound = share * libm::pow(spread, power);
-            error_gate(&own, runs.solved, name, bound, reason)
-        });
-        let orders = orders
-            .iter()
-            .map(|&(name, bound, reason)| order_gate(&table, name, bound, reason));
-        verdict
-            .gates
-            .extend(bounds.chain(orders).map(|gate| of_variant(variant, gate)));
-        verdict
-            .tables
-            .push((format!("step-bar, {variant}, uGIMP, USL, FLIP"), table));
-    }
-    verdict
-}
-
 fn scene(rung: &Rung, settings: &Settings) -> Scene {
     let (h, thrown) = (rung.cell, rung.variant == THROWN);
     let cells = (LENGTH / h).round() as usize;
@@ -357,28 +345,13 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
 }
 
 fn compare(run: Run<'_>) -> Result<Found, Failure> {
-    let Run {
-        rung,
-        reference,
-        simulation,
-        observer,
-        ..
-    } = run;
+    let (rung, reference) = (run.rung, run.reference);
+    let (simulation, observer) = (run.simulation, run.observer);
     if rung.variant == THROWN {
         thrown(reference, simulation, observer)
     } else {
         pressed(reference, rung, simulation, observer)
     }
-}
-
-fn path(size: Size) -> Vec<Rung> {
-    rungs_of(
-        LOADED,
-        match size {
-            Size::Quick => &[16, 32, 64],
-            Size::Full => &[16, 32, 64, 128, 256],
-        },
-    )
 }
 
 fn guest(rung: &Rung) -> Result<Guest, &'static str> {

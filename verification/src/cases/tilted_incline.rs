@@ -20,62 +20,50 @@
 
 mod frame;
 
-use super::incline::{
+use super::prelude::*;
+use super::vocabulary::incline::{
     ACCELERATION, COURANT, CREEP, Track, WAY, acceleration, dot, follow_along, sliding_curve, stuck,
 };
-use super::prelude::*;
 use crate::exact::sliding::Slope;
 use frame::Frame;
 use proctor_files::stl::parse;
 
-/// Angle of the plane with the horizontal \[degrees\].
-const TILT: f64 = 30.0;
-/// Acceleration of gravity \[m/s²\].
-const GRAVITY: f64 = 10.0;
+const TILT: f64 = 30.0; // Angle of the plane with the horizontal [degrees]
+const GRAVITY: f64 = 10.0; // Acceleration of gravity [m/s²]
 /// Length of the block down the plane and its height \[m\].
 const LENGTH: f64 = 2.0;
 const HEIGHT: f64 = 0.5;
-/// Time from the release to the end \[s\].
-const TIME: f64 = 2.0;
+const TIME: f64 = 2.0; // Time from the release to the end [s]
 /// Density \[kg/m³\] and Poisson's ratio.
 const DENSITY: f64 = 2500.0;
 const POISSON: f64 = 0.3;
-/// Young's modulus of the full ladder \[Pa\].
-const STIFF: f64 = 1e9;
-/// Young's modulus of the quick one \[Pa\], in a seventh of the steps.
-const SOFT: f64 = 20e6;
+const STIFF: f64 = 1e9; // Young's modulus of the full ladder [Pa]
+const SOFT: f64 = 20e6; // Young's modulus of the quick one [Pa], in a seventh of the steps
 /// Local damping before the release, and for how many periods of the block's shear.
 const DAMPING: f64 = 0.6;
 const PERIODS: f64 = 8.0;
-/// Share of PIC in FLIP.
-const PIC: f64 = 0.05;
-/// Friction that holds the block before the release.
-const ROUGH: f64 = 10.0;
-/// Friction of a block that sticks, 1.2 tan(30 degrees).
-const STICKING: f64 = 0.7;
+const PIC: f64 = 0.05; // Share of PIC in FLIP
+const ROUGH: f64 = 10.0; // Friction that holds the block before the release
+const STICKING: f64 = 0.7; // Friction of a block that sticks, 1.2 tan(30 degrees)
 /// The same close to the limit, 1.04 tan(30 degrees), and the local damping that keeps it from fluttering.
 const CLOSE: f64 = 0.6;
 const CLOSE_DAMPING: f64 = 0.1;
 /// Friction of the study, and of the block that is pulled from rest for the record.
 const STUDIED: f64 = 0.5;
 
-/// Name of the deepest penetration.
-const DEPTH: &str = "deepest penetration over cell";
+const DEPTH: &str = "deepest penetration over cell"; // Name of the deepest penetration
 
 /// Name of the way across the fall of the plane over the way down it.
 const SIDEWAYS: &str = "way sideways over way";
 
-/// Largest relative error of acceleration and displacement.
-const SLIDING_GATE: f64 = 1e-2;
+const SLIDING_GATE: f64 = 1e-2; // Largest relative error of acceleration and displacement
 /// Largest mean velocity over the second half of the time, over the velocity of the free block.
 const CREEP_GATE: f64 = 1e-4;
-/// Largest displacement of a block that sticks over that of a free one.
-const STICK_GATE: f64 = 5e-3;
-/// Largest way sideways over the way down.
-const SIDEWAYS_GATE: f64 = 2e-4;
-/// Deepest penetration over the cell.
-const DEPTH_GATE: f64 = 0.05;
+const STICK_GATE: f64 = 5e-3; // Largest displacement of a block that sticks over that of a free one
+const SIDEWAYS_GATE: f64 = 2e-4; // Largest way sideways over the way down
+const DEPTH_GATE: f64 = 0.05; // Deepest penetration over the cell
 
+const PROMISED: &str = "one percent for every friction is what the project promises";
 const WRONG_PULL: Wrong = Wrong::factor("pull", 1.02)
     .breaks_only(|gate| {
         gate.starts_with("USL")
@@ -91,7 +79,25 @@ pub static TILTED_INCLINE: Case = Case::new("tilted-incline", "Does a block slid
     .scene_by(scene)
     .options(options)
     .run(compare)
-    .judge_by(judge)
+    .gates_of_rungs(&[
+    error(ACCELERATION).at_most(SLIDING_GATE, PROMISED).on(slides),
+    error(WAY).at_most(SLIDING_GATE, PROMISED).on(slides),
+    error(SIDEWAYS)
+        .at_most(
+            SIDEWAYS_GATE,
+            "nothing pushes the block sideways; a mesh that is not aligned with it must not either",
+        )
+        .on(|rung| slides(rung) && rung.problem::<Problem>().turned),
+    error(CREEP).at_most(CREEP_GATE, "a block that sticks does not creep").on(sticks),
+    error(WAY).at_most(STICK_GATE, "it shears, the free block slides 10 m").on(sticks),
+    error(DEPTH)
+        .at_most(
+            DEPTH_GATE,
+            "a bound on the step keeps particles out to a residue of the sweeps",
+        )
+        .on(|rung| slides(rung) || sticks(rung)),
+])
+.judge_by(lines)
     .wrong_references(&[WRONG_PULL])
     .studies(&[Plan::new(Ladder::made(path), &[
         Measure::new("displacement", WAY),
@@ -157,7 +163,7 @@ fn shear_wave_speed(young: f64) -> f64 {
 }
 
 /// All rungs of a size with their problems.
-fn ladder(size: Size) -> Vec<(Rung, Problem)> {
+fn rungs(size: Size) -> Vec<Rung> {
     const ALL: &[f64] = &[0.0, 0.1, 0.2, 0.3, 0.4, STUDIED];
     // The friction closest to sticking is the hardest: it alone where a run takes long.
     let (young, soft, groups): (f64, &str, &[Group]) = match size {
@@ -188,7 +194,7 @@ fn ladder(size: Size) -> Vec<(Rung, Problem)> {
                     friction,
                     young,
                 };
-                all.push((rung, problem));
+                all.push(rung.with(problem));
             };
             for &friction in frictions {
                 add(Kind::Slide, friction, "");
@@ -206,7 +212,7 @@ fn ladder(size: Size) -> Vec<(Rung, Problem)> {
 }
 
 /// The path of the study with its problem.
-fn studied(size: Size) -> Vec<(Rung, Problem)> {
+fn path(size: Size) -> Vec<Rung> {
     let (young, cells): (f64, &[f64]) = match size {
         Size::Quick => (SOFT, &[0.5, 0.25]),
         Size::Full => (STIFF, &[0.5, 0.25, 0.125]),
@@ -226,20 +232,7 @@ fn studied(size: Size) -> Vec<(Rung, Problem)> {
             h,
         )
     };
-    cells.iter().map(|h| (rung(h), problem)).collect()
-}
-
-/// The problem of a rung of any size; that of the study for a rung that is not of this case.
-fn problem(rung: &Rung) -> Problem {
-    let sizes = [Size::Quick, Size::Full];
-    let known = sizes
-        .into_iter()
-        .flat_map(|size| studied(size).into_iter().chain(ladder(size)));
-    let mut problems = known
-        .filter(|(other, _)| other == rung)
-        .map(|(_, problem)| problem);
-    let studied = studied(Size::Full)[0].1;
-    problems.next().unwrap_or(studied)
+    cells.iter().map(|h| rung(h).with(problem)).collect()
 }
 
 /// The exact motion.
@@ -296,64 +289,49 @@ fn quantities(track: &Track, deepest: f64, sideways: f64, problem: &Problem) -> 
     all
 }
 
-fn rungs(size: Size) -> Vec<Rung> {
-    let ladder = ladder(size).into_iter();
-    ladder.map(|(rung, _)| rung).collect()
+fn kind(rung: &Rung) -> Kind {
+    rung.problem::<Problem>().kind
 }
 
-fn judge(runs: &Runs<'_>) -> Verdict {
+fn slides(rung: &Rung) -> bool {
+    kind(rung) == Kind::Slide
+}
+
+fn sticks(rung: &Rung) -> bool {
+    kind(rung) == Kind::Stick
+}
+
+/// Blocks that are pulled from rest, and those without a share of PIC.
+fn lines(runs: &Runs<'_>) -> Verdict {
     let mut verdict = Verdict::default();
-    for (rung, problem) in ladder(runs.size) {
-        let mut gate = |name, bound, reason| {
-            let gate = error_at_most(runs.solved, &rung.label, name, bound, reason);
-            verdict.gates.push(gate);
-        };
-        match problem.kind {
-            Kind::Slide => {
-                let reason = "one percent for every friction is what the project promises";
-                gate(ACCELERATION, SLIDING_GATE, reason);
-                gate(WAY, SLIDING_GATE, reason);
-                if problem.turned {
-                    let reason = "nothing pushes the block sideways; a mesh that is not aligned with it must not either";
-                    gate(SIDEWAYS, SIDEWAYS_GATE, reason);
-                }
-            }
-            Kind::Stick => {
-                gate(CREEP, CREEP_GATE, "a block that sticks does not creep");
-                gate(WAY, STICK_GATE, "it shears, the free block slides 10 m");
-            }
-            Kind::Pulled | Kind::Undamped => {
-                if let Some(s) = run_of(runs.solved, &rung.label) {
-                    let rigid = exact(&problem).displacement(TIME);
-                    verdict.for_the_record.push(format!(
-                        "{}: displacement off by {:+.2} % from a rigid block, acceleration by {:.2} %",
-                        rung.label,
-                        100.0 * (s.value(WAY) / rigid - 1.0),
-                        100.0 * s.error(ACCELERATION),
-                    ));
-                }
-                continue;
-            }
+    for rung in runs
+        .rungs
+        .iter()
+        .filter(|rung| !slides(rung) && !sticks(rung))
+    {
+        if let Some(s) = runs.run(&rung.label) {
+            let rigid = exact(rung.problem()).displacement(TIME);
+            verdict.for_the_record.push(format!(
+                "{}: displacement off by {:+.2} % from a rigid block, acceleration by {:.2} %",
+                rung.label,
+                100.0 * (s.value(WAY) / rigid - 1.0),
+                100.0 * s.error(ACCELERATION),
+            ));
         }
-        gate(
-            DEPTH,
-            DEPTH_GATE,
-            "a bound on the step keeps particles out to a residue of the sweeps",
-        );
     }
     verdict
 }
 
 fn method(rung: &Rung) -> Settings {
     Settings::new(Method {
-        scheme: problem(rung).scheme,
+        scheme: rung.problem::<Problem>().scheme,
         ..Method::DEFAULT
     })
     .courant(COURANT)
 }
 
 fn scene(rung: &Rung, settings: &Settings, reference: Reference) -> Scene {
-    let problem = problem(rung);
+    let problem = *rung.problem::<Problem>();
     let h = rung.cell;
     let frame = Frame::new(h, problem.turned);
     let mesh = Mesh::new(Dimension::Three, [0.0; 3], [h; 3], frame.cells);
@@ -387,7 +365,7 @@ fn scene(rung: &Rung, settings: &Settings, reference: Reference) -> Scene {
 }
 
 fn options(rung: &Rung, _: Reference, options: Options) -> Options {
-    let problem = problem(rung);
+    let problem = *rung.problem::<Problem>();
     let frame = Frame::new(rung.cell, problem.turned);
     let (slope, along) = (exact(&problem), problem.pull_before());
     let (down, out, foot) = (frame.down, frame.out, frame.corner);
@@ -411,13 +389,9 @@ fn options(rung: &Rung, _: Reference, options: Options) -> Options {
 }
 
 fn compare(run: Run<'_>) -> Result<Found, Failure> {
-    let Run {
-        rung,
-        simulation,
-        observer,
-        ..
-    } = run;
-    let problem = problem(rung);
+    let rung = run.rung;
+    let (simulation, observer) = (run.simulation, run.observer);
+    let problem = *rung.problem::<Problem>();
     let frame = Frame::new(rung.cell, problem.turned);
     release(&frame, &problem, simulation, observer)?;
     let weight = GRAVITY * libm::cos(TILT.to_radians());
@@ -434,9 +408,4 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
     let quantities = quantities(&tracks[0], deepest, aside(simulation) - begin, &problem);
     let curve = sliding_curve(&tracks[0], &exact(&problem), &rung.label);
     Ok(Found::new(quantities, Some(curve)))
-}
-
-fn path(size: Size) -> Vec<Rung> {
-    let path = studied(size).into_iter();
-    path.map(|(rung, _)| rung).collect()
 }

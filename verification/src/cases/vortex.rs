@@ -22,12 +22,9 @@ use crate::exact::vortex::{RADII, Vortex as Exact};
 /// Side of the square, whose middle is the centre of the vortex \[m\]: that of the rings and an eighth of a ring's width
 /// around.
 const SIDE: f64 = 2.625;
-/// Width of the rings that turn \[m\].
-const WIDTH: f64 = RADII[1] - RADII[0];
-/// Neo-Hookean with E = 10 MPa, nu = 0.3.
-const LAW: NeoHookean = NeoHookean::new(1e7, 0.3);
-/// Density \[kg/m³\].
-const DENSITY: f64 = 1000.0;
+const WIDTH: f64 = RADII[1] - RADII[0]; // Width of the rings that turn [m]
+const LAW: NeoHookean = NeoHookean::new(1e7, 0.3); // Neo-Hookean with E = 10 MPa, nu = 0.3
+const DENSITY: f64 = 1000.0; // Density [kg/m³]
 /// Angles with crossing and without \[rad\].
 const LARGE: f64 = 0.2;
 const SMALL: f64 = 1e-4;
@@ -35,8 +32,7 @@ const SMALL: f64 = 1e-4;
 const END: f64 = 0.7;
 /// `c dt/h`: in the large motion waves run half as fast again as at rest and points with half that speed.
 const COURANT: f64 = 0.3;
-/// Particles per cell and axis of the large motion.
-const PARTICLES: usize = 3;
+const PARTICLES: usize = 3; // Particles per cell and axis of the large motion
 
 const OF_SMALL: &str = "uGIMP in one dimension without crossing: 2.0 in the displacement; stresses 1.0 to 1.8, less 0.1";
 const OF_LARGE: &str =
@@ -223,8 +219,7 @@ fn judge(runs: &Runs<'_>) -> Verdict {
         }
         let method = own()
             .next()
-            .map(|rung| method(rung).method)
-            .unwrap_or(Method::DEFAULT);
+            .map_or(Method::DEFAULT, |rung| method(rung).method);
         let title = format!("vortex, {variant}, {method}, c dt/h = 0.3");
         verdict.tables.push((title, table));
     }

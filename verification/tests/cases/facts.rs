@@ -31,7 +31,9 @@ fn what_is_not_judged_is_shown() {
         let planes: usize = run.drawings.iter().map(|d| d.lines.len()).sum();
         assert_eq!(planes, 5, "{}", rung.label);
     }
-    let curves = INCLINED_BLOCK.judge(Size::Quick, quick(&INCLINED_BLOCK)).curves;
+    let curves = INCLINED_BLOCK
+        .judge(Size::Quick, quick(&INCLINED_BLOCK))
+        .curves;
     assert_eq!(curves.len(), 1);
     let breaks = curves[0].points.iter().filter(|p| p.exact.is_nan());
     assert_eq!(breaks.count(), 5);
@@ -199,7 +201,9 @@ fn the_printed_incline_is_that_of_the_file() {
     let case = INCLINED_BLOCK;
     let rungs = case.rungs(Size::Full);
     let rung = rungs.iter().find(|r| r.label == "printed h=1 mu=0.5");
-    let own = case.scene_of(rung.expect("it is among the rungs")).expect("a scene");
+    let own = case
+        .scene_of(rung.expect("it is among the rungs"))
+        .expect("a scene");
     let physics = |s: &Scene| {
         (
             (s.time, s.time_step, s.gravity, s.mesh.clone()),

@@ -59,11 +59,7 @@ impl Earlier {
     }
 
     /// Those of some cases that were asked for then, as far as the record knows, and ended in one of these ways.
-    pub fn those(
-        &self,
-        cases: &[&'static Case],
-        states: &[CaseState],
-    ) -> Vec<&'static Case> {
+    pub fn those(&self, cases: &[&'static Case], states: &[CaseState]) -> Vec<&'static Case> {
         let asked = self.record.cases_asked();
         let cases = cases.iter().copied();
         cases

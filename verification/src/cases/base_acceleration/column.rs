@@ -3,24 +3,17 @@
 use crate::cases::prelude::*;
 use crate::exact::base_column::{BaseColumn, CubedSine, SineRecord};
 
-/// Height of the column \[m\].
-const HEIGHT: f64 = 1.0;
-/// Young's modulus \[Pa\] of the manual's input file.
-const YOUNG: f64 = 10e6;
-/// Poisson's ratio.
-const POISSON: f64 = 0.25;
-/// Density \[kg/m³\].
-const DENSITY: f64 = 2500.0;
+const HEIGHT: f64 = 1.0; // Height of the column [m]
+const YOUNG: f64 = 10e6; // Young's modulus [Pa] of the manual's input file
+const POISSON: f64 = 0.25; // Poisson's ratio
+const DENSITY: f64 = 2500.0; // Density [kg/m³]
 /// End of the comparison \[s\].
 pub const END: f64 = 0.2;
-/// Cells across the column. The answer does not vary across it.
-const WIDTH: usize = 2;
-/// Empty cells above the column.
-const AIR: usize = 2;
+const WIDTH: usize = 2; // Cells across the column. The answer does not vary across it
+const AIR: usize = 2; // Empty cells above the column
 /// Interval of the record \[s\]; linear between rows, it is off by (2 pi f interval)²/8 = 4e-7 at 15 Hz.
 const INTERVAL: f64 = 2e-5;
-/// Number of times, about, at which velocities are compared.
-const SAMPLES: u64 = 400;
+const SAMPLES: u64 = 400; // Number of times, about, at which velocities are compared
 
 /// How the base moves.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,14 +3,11 @@
 use super::{BASE, L2, LOWEST, TOP, UPPERMOST};
 use crate::cases::prelude::*;
 
-/// Largest relative error of the top velocity at H/h = 32.
-const TOP_GATE: f64 = 0.01;
-/// Least observed order of the L2 error with a smooth start.
-const ORDER_GATE: f64 = 1.7;
+const TOP_GATE: f64 = 0.01; // Largest relative error of the top velocity at H/h = 32
+const ORDER_GATE: f64 = 1.7; // Least observed order of the L2 error with a smooth start
 /// Largest distance of the base velocity from the record, over its amplitude.
 const BASE_GATE: f64 = 1e-3;
-/// The mesh on which the top velocity is judged.
-const JUDGED: &str = "H/h=32";
+const JUDGED: &str = "H/h=32"; // The mesh on which the top velocity is judged
 
 /// Tables, gates and lines for the record.
 pub fn verdict(size: Size, solved: &[(Rung, Solved)]) -> Verdict {

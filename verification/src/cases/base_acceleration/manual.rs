@@ -6,8 +6,7 @@ use proctor_files::records::{Harmonic, accelerogram};
 
 /// Cell size \[m\].
 pub const CELL: f64 = 0.1;
-/// Width of the block along x and y \[m\].
-const WIDTH: f64 = 0.3;
+const WIDTH: f64 = 0.3; // Width of the block along x and y [m]
 /// Empty cells on every side. The base travels 0.19 m and the top of the soft block further.
 const AIR: usize = 5;
 

@@ -9,8 +9,7 @@ pub const SIDE: f64 = 1.0;
 pub const YOUNG: f64 = 200e6;
 /// Poisson's ratio.
 pub const POISSON: f64 = 0.25;
-/// Density \[kg/m³\].
-const DENSITY: f64 = 1500.0;
+const DENSITY: f64 = 1500.0; // Density [kg/m³]
 /// Downward force on the whole top \[N\].
 pub const LOAD: f64 = 1.0;
 /// Force on the quarter that is solved \[N\].

@@ -3,14 +3,11 @@
 use super::{BALANCE, DURATION, ENERGY, IMPULSE, LOST, MOMENTUM, RESTITUTION};
 use crate::cases::prelude::*;
 
-/// Largest change of momentum over that of both bodies.
-const MOMENTUM_GATE: f64 = 1e-12;
-/// Largest gain of energy over the initial one: round-off.
-const ENERGY_GATE: f64 = 1e-12;
+const MOMENTUM_GATE: f64 = 1e-12; // Largest change of momentum over that of both bodies
+const ENERGY_GATE: f64 = 1e-12; // Largest gain of energy over the initial one: round-off
 /// Largest difference between the impulse and the momentum that it took, over it: round-off of some thousand steps.
 const BALANCE_GATE: f64 = 1e-12;
-/// Least observed order of the duration.
-const ORDER_GATE: f64 = 0.6;
+const ORDER_GATE: f64 = 0.6; // Least observed order of the duration
 
 /// Tables, gates and lines for the record.
 pub fn verdict(rungs: &[Rung], solved: &[(Rung, Solved)]) -> Verdict {

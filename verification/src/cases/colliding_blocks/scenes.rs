@@ -5,22 +5,15 @@ use crate::exact::bar_impact::{BarImpact, MovingBar};
 
 /// Length of the first body \[m\].
 pub const LENGTH: f64 = 1.0;
-/// Young's modulus of the first body \[Pa\].
-const YOUNG: f64 = 1e6;
-/// Density of the first body \[kg/m³\]; waves run at 31.6 m/s.
-const DENSITY: f64 = 1e3;
-/// Speed of a bar over that of waves: strains stay small.
-const SPEED: f64 = 1e-3;
-/// Speed of a block over that of waves.
-const BLOCK_SPEED: f64 = 1e-2;
-/// Poisson's ratio of the blocks; that of the bars is zero.
-const POISSON: f64 = 0.3;
-/// Friction of the blocks.
-const FRICTION: f64 = 0.3;
+const YOUNG: f64 = 1e6; // Young's modulus of the first body [Pa]
+const DENSITY: f64 = 1e3; // Density of the first body [kg/m³]; waves run at 31.6 m/s
+const SPEED: f64 = 1e-3; // Speed of a bar over that of waves: strains stay small
+const BLOCK_SPEED: f64 = 1e-2; // Speed of a block over that of waves
+const POISSON: f64 = 0.3; // Poisson's ratio of the blocks; that of the bars is zero
+const FRICTION: f64 = 0.3; // Friction of the blocks
 /// `c dt/h`.
 pub const COURANT: f64 = 0.3;
-/// Empty cells beyond the far ends.
-const AIR: usize = 3;
+const AIR: usize = 3; // Empty cells beyond the far ends
 
 /// What collides.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,6 +1,5 @@
 //! What must hold of any stress that a law returns, whatever it was before.
 
-use super::super::judging::error_at_most;
 use super::{DENSITY, POISSON, YOUNG};
 use proctor_laws::Point;
 
@@ -9,10 +8,8 @@ use crate::random::Random;
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion};
 use proctor_kernel::lanes::{LaneChoice, Selected};
 
-/// Strength of the laws \[Pa\]: yield stress, cohesion.
-const STRENGTH: f64 = 1.0;
-/// States are so many times the strength at most.
-const SPREAD: f64 = 6.0;
+const STRENGTH: f64 = 1.0; // Strength of the laws [Pa]: yield stress, cohesion
+const SPREAD: f64 = 6.0; // States are so many times the strength at most
 /// Friction and dilation \[°\].
 const ANGLES: [f64; 2] = [30.0, 10.0];
 /// Tensile strength \[Pa\].

@@ -1,29 +1,21 @@
 //! Flow between walls.
 
-use super::{Problem, WRONG_FORCE, WRONG_VISCOSITY};
+use super::{METHOD_ORDER, Problem, WRONG_FORCE, WRONG_VISCOSITY};
 use crate::cases::prelude::*;
 use crate::exact::channel::Channel;
 
-/// Distance of the walls \[m\].
-const WIDTH: f64 = 1.0;
-/// Density \[kg/m³\].
-const DENSITY: f64 = 1000.0;
-/// Viscosity \[Pa s\]: a velocity crosses the channel in about 5 s.
-const VISCOSITY: f64 = 50.0;
+const WIDTH: f64 = 1.0; // Distance of the walls [m]
+const DENSITY: f64 = 1000.0; // Density [kg/m³]
+const VISCOSITY: f64 = 50.0; // Viscosity [Pa s]: a velocity crosses the channel in about 5 s
 /// Bulk modulus \[Pa\], and the shear modulus of Bingham's fluid where it does not flow.
 const BULK: f64 = 1.0e3;
-/// Body force along the walls \[m/s²\].
-const FORCE_ALONG: f64 = 5.0e-6;
-/// Half-width of the plug over that of the channel.
-const PLUG: f64 = 0.4;
-/// Speed of the wall that moves \[m/s\].
-const SPEED: f64 = 1.0e-6;
-/// Yield stress over the viscous stress of the steady drag.
-const YIELD_OVER_DRAG: f64 = 0.5;
+const FORCE_ALONG: f64 = 5.0e-6; // Body force along the walls [m/s²]
+const PLUG: f64 = 0.4; // Half-width of the plug over that of the channel
+const SPEED: f64 = 1.0e-6; // Speed of the wall that moves [m/s]
+const YIELD_OVER_DRAG: f64 = 0.5; // Yield stress over the viscous stress of the steady drag
 /// Times over a²/nu: where the flow starts, and where it is nearly steady, but for exp(-pi² 0.5).
 const TIMES: [f64; 2] = [0.05, 0.5];
-/// Time over a²/nu at which the flow is steady, but for exp(-pi² 1.2).
-const AT_END: f64 = 1.2;
+const AT_END: f64 = 1.2; // Time over a²/nu at which the flow is steady, but for exp(-pi² 1.2)
 
 /// Names of the quantities.
 const STARTING: &str = "L2(velocity), starting";
@@ -44,8 +36,13 @@ pub(super) const FORCE: Problem = Problem {
             exact.driven_by_force(g, y, time)
         })
     },
-    bounds: &[(STARTING, 1e-2, PERCENT), (AT_LAST, 1e-2, PERCENT)],
-    orders: &[(STARTING, 1.8), (AT_LAST, 1.8)],
+    gates: &[
+        error(STARTING).at_most(1e-2, PERCENT),
+        error(AT_LAST).at_most(1e-2, PERCENT),
+        order(STARTING).at_least(1.8, METHOD_ORDER),
+        order(AT_LAST).at_least(1.8, METHOD_ORDER),
+    ],
+    names: &[STARTING, AT_LAST],
 };
 
 /// Newton's fluid that a wall drags (Couette).
@@ -60,8 +57,12 @@ pub(super) const DRAG: Problem = Problem {
             exact.dragged(speed, y, time)
         })
     },
-    bounds: &[(STARTING, 1e-2, PERCENT), (AT_LAST, 1e-2, PERCENT)],
-    orders: &[(STARTING, 1.8)],
+    gates: &[
+        error(STARTING).at_most(1e-2, PERCENT),
+        error(AT_LAST).at_most(1e-2, PERCENT),
+        order(STARTING).at_least(1.8, METHOD_ORDER),
+    ],
+    names: &[STARTING, AT_LAST],
 };
 
 /// Bingham's fluid that a force drives, with a plug in the middle.
@@ -76,8 +77,11 @@ pub(super) const FORCE_OF_BINGHAM: Problem = Problem {
             (exact.driven_by_force_at_last(g, y), f64::NAN)
         })
     },
-    bounds: &[(AT_LAST, 1e-2, PERCENT)],
-    orders: &[(AT_LAST, 0.9)],
+    gates: &[
+        error(AT_LAST).at_most(1e-2, PERCENT),
+        order(AT_LAST).at_least(0.9, METHOD_ORDER),
+    ],
+    names: &[AT_LAST],
 };
 
 /// Bingham's fluid that a wall drags.
@@ -92,8 +96,11 @@ pub(super) const DRAG_OF_BINGHAM: Problem = Problem {
             (speed * y / WIDTH, exact.dragging_stress(speed))
         })
     },
-    bounds: &[(AT_LAST, 1e-2, PERCENT), (STRESS, 1e-2, PERCENT)],
-    orders: &[],
+    gates: &[
+        error(AT_LAST).at_most(1e-2, PERCENT),
+        error(STRESS).at_most(1e-2, PERCENT),
+    ],
+    names: &[AT_LAST, STRESS],
 };
 
 /// What drives a flow.

@@ -1,29 +1,23 @@
 //! A column of water at rest.
 
-use super::{Problem, WRONG_FORCE};
+use super::{METHOD_ORDER, Problem, WRONG_FORCE};
 use crate::cases::prelude::*;
 use crate::exact::self_weight::{Law, SelfWeightColumn};
 
-/// Height \[m\].
-const HEIGHT: f64 = 1.0;
-/// Density \[kg/m³\].
-const DENSITY: f64 = 1000.0;
-/// Gravity \[m/s²\].
-const GRAVITY: f64 = 10.0;
-/// Bulk modulus \[Pa\]: a hundred times the pressure at the base.
-const BULK: f64 = 1.0e6;
+const HEIGHT: f64 = 1.0; // Height [m]
+const DENSITY: f64 = 1000.0; // Density [kg/m³]
+const GRAVITY: f64 = 10.0; // Gravity [m/s²]
+const BULK: f64 = 1.0e6; // Bulk modulus [Pa]: a hundred times the pressure at the base
 /// Damping over that at which the column no longer swings. One that swings has no unbalanced force for a moment in each
 /// swing, and would be taken for one at rest.
 const OVERDAMPED: f64 = 1.2;
-/// Norm of the unbalanced force over the weight at which it is at rest.
-const RESIDUAL: f64 = 1e-7;
+const RESIDUAL: f64 = 1e-7; // Norm of the unbalanced force over the weight at which it is at rest
 /// B-splines, which have a stress that varies within a cell.
 const METHOD: Method = Method {
     weighting: Weighting::QuadraticBSpline,
     ..Method::DEFAULT
 };
-/// Name of the quantity.
-const PRESSURE: &str = "L2(pressure)";
+const PRESSURE: &str = "L2(pressure)"; // Name of the quantity
 
 /// The column at rest.
 pub(super) const REST: Problem = Problem {
@@ -31,11 +25,13 @@ pub(super) const REST: Problem = Problem {
     cells: &[16, 32, 64],
     scene,
     run,
-    bounds: &[
-        (PRESSURE, 2e-3, "two in a thousand: it is the weight above"),
-        (DISPLACEMENT, 2e-3, "the volume follows from the pressure"),
+    gates: &[
+        error(PRESSURE).at_most(2e-3, "two in a thousand: it is the weight above"),
+        error(DISPLACEMENT).at_most(2e-3, "the volume follows from the pressure"),
+        order(PRESSURE).at_least(0.9, METHOD_ORDER),
+        order(DISPLACEMENT).at_least(0.9, METHOD_ORDER),
     ],
-    orders: &[(PRESSURE, 0.9), (DISPLACEMENT, 0.9)],
+    names: &[PRESSURE, DISPLACEMENT],
 };
 
 fn scene(rung: &Rung) -> Scene {

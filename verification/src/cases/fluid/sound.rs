@@ -1,28 +1,19 @@
 //! A standing wave of sound that viscosity takes.
 
-use super::{Problem, WRONG_VISCOSITY};
+use super::{METHOD_ORDER, Problem, WRONG_VISCOSITY};
 use crate::cases::prelude::*;
 use crate::exact::sound::DampedSound;
 use libm::{log, sin};
 
-/// Length between the walls \[m\].
-const LENGTH: f64 = 1.0;
-/// Density \[kg/m³\].
-const DENSITY: f64 = 1000.0;
-/// Speed of sound \[m/s\].
-const SPEED: f64 = 10.0;
-/// Decay of the amplitude over the frequency.
-const DECAY: f64 = 0.05;
-/// Largest velocity over the speed of sound at the start.
-const AMPLITUDE: f64 = 1e-6;
-/// Periods until it is looked at, where the velocity is largest.
-const PERIODS: f64 = 2.0;
-/// `c dt/h` with ten cells; it falls with h.
-const COURANT: f64 = 0.2;
-/// Cells of which it is that.
-const CELLS: f64 = 10.0;
-/// Name of the quantity.
-const RATE: &str = "rate of decay";
+const LENGTH: f64 = 1.0; // Length between the walls [m]
+const DENSITY: f64 = 1000.0; // Density [kg/m³]
+const SPEED: f64 = 10.0; // Speed of sound [m/s]
+const DECAY: f64 = 0.05; // Decay of the amplitude over the frequency
+const AMPLITUDE: f64 = 1e-6; // Largest velocity over the speed of sound at the start
+const PERIODS: f64 = 2.0; // Periods until it is looked at, where the velocity is largest
+const COURANT: f64 = 0.2; // `c dt/h` with ten cells; it falls with h
+const CELLS: f64 = 10.0; // Cells of which it is that
+const RATE: &str = "rate of decay"; // Name of the quantity
 
 /// The standing wave.
 pub(super) const SOUND: Problem = Problem {
@@ -30,8 +21,11 @@ pub(super) const SOUND: Problem = Problem {
     cells: &[20, 40],
     scene,
     run,
-    bounds: &[(RATE, 1e-2, "one percent")],
-    orders: &[(RATE, 1.8)],
+    gates: &[
+        error(RATE).at_most(1e-2, "one percent"),
+        order(RATE).at_least(1.8, METHOD_ORDER),
+    ],
+    names: &[RATE],
 };
 
 /// Longitudinal viscosity over density \[m²/s\].

@@ -4,12 +4,10 @@ use super::PART;
 use crate::cases::prelude::*;
 use crate::random::Random;
 
-/// Seed of the shapes.
-const SEED: u64 = 2024;
+const SEED: u64 = 2024; // Seed of the shapes
 /// Half the extents of a grain \[m\].
 const HALF: [f64; 2] = [1.06, 1.29];
-/// Points around a grain.
-const POINTS: usize = 88;
+const POINTS: usize = 88; // Points around a grain
 /// Largest amplitudes of the waves with 2, 3 and 4 periods over the radius. A wave of k periods makes a circle concave
 /// above 1/(k² + 1).
 const WAVES: [f64; 3] = [0.1, 0.15, 0.06];

@@ -4,8 +4,7 @@ use super::apart::{self, Polyline, Room};
 use super::{FLOOR, GAP, PLATE, SPEED, WALLS};
 use crate::cases::prelude::*;
 
-/// Samples of a run.
-const SAMPLES: usize = 245;
+const SAMPLES: usize = 245; // Samples of a run
 
 pub(super) const INSIDE: &str = "vertices inside another grain, most of any step";
 pub(super) const BEYOND: &str = "vertices beyond plate, floor or a wall, most of any step";

@@ -3,15 +3,16 @@
 use super::{ACCELERATION, CREEP, GRAVITY, Kind, Problem, TIME, WAY, by_elements};
 use crate::cases::prelude::*;
 
-/// Largest relative error of acceleration and displacement.
-const SLIDING_GATE: f64 = 5e-3;
+const SLIDING_GATE: f64 = 5e-3; // Largest relative error of acceleration and displacement
 /// Largest mean velocity over the second half of the time, over the velocity of the free block.
 const CREEP_GATE: f64 = 1e-4;
-/// Largest displacement of a block that sticks over that of a free one.
-const STICK_GATE: f64 = 5e-3;
+const STICK_GATE: f64 = 5e-3; // Largest displacement of a block that sticks over that of a free one
 
-/// Gates over the rungs of a ladder, each with its problem.
-pub fn verdict(ladder: &[(Rung, Problem)], solved: &[(Rung, Solved)]) -> Verdict {
+/// Gates over the rungs of a ladder.
+pub fn verdict(runs: &Runs<'_>) -> Verdict {
+    let with_problem = |rung: &Rung| (rung.clone(), *rung.problem::<Problem>());
+    let ladder: Vec<_> = runs.rungs.iter().map(with_problem).collect();
+    let (ladder, solved) = (&ladder[..], runs.solved);
     let mut verdict = Verdict::default();
     // One group per variant and cell size, in the order of the ladder.
     let mut groups: Vec<(&'static str, f64)> = vec![];

@@ -12,8 +12,7 @@ const ADDED: [(&str, f64, f64); 3] = [
     (MEAN, -5.0, 2.5),
     (ACROSS, -65.0, 10.0),
 ];
-/// How far the horizontal force may be off \[N\].
-const ACROSS_OFF: f64 = 10.0;
+const ACROSS_OFF: f64 = 10.0; // How far the horizontal force may be off [N]
 
 /// Tables, gates and lines for the record.
 pub fn verdict(runs: &Runs<'_>) -> Verdict {

@@ -17,8 +17,7 @@ pub const HISTORY: &str = "L2 of the force while it goes down";
 
 /// Elements over the height of the reference, of which the second is extrapolated with the first.
 const ELEMENTS: [usize; 2] = [20, 40];
-/// The kernel's, as a share of the critical gap.
-const FLOOR: f64 = 0.05;
+const FLOOR: f64 = 0.05; // The kernel's, as a share of the critical gap
 
 /// Center of the indenter's circle at a time: at rest, a ramp, then steadily down.
 fn center(time: f64) -> [f64; 2] {

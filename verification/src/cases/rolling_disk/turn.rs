@@ -16,10 +16,8 @@ pub(super) const SECOND_ORDER: f64 = 0.0026;
 /// By how much of a cell the resultant of the pressure may lie beside the middle of the contact. Friction is a tenth of it, so
 /// that its moment counts ten times; `slipping-disk` judges a disk that is stiffer.
 const BESIDE: f64 = 0.015;
-/// Spacing of the disk's vertices \[m\].
-const SPACING: f64 = TAU * RADIUS / 64.0;
-/// The kernel's share of the critical gap below which the barrier is linear.
-const FLOOR: f64 = 0.05;
+const SPACING: f64 = TAU * RADIUS / 64.0; // Spacing of the disk's vertices [m]
+const FLOOR: f64 = 0.05; // The kernel's share of the critical gap below which the barrier is linear
 
 /// Mass per thickness \[kg/m\].
 fn mass() -> f64 {

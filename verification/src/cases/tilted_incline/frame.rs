@@ -5,12 +5,9 @@ use crate::cases::prelude::*;
 use libm::{cos, sin};
 use std::fmt::Write as _;
 
-/// Angle between its fall and the x axis where it is turned \[degrees\].
-const TURN: f64 = 33.0;
-/// Width of the block where the plane is turned \[m\]; else one cell.
-const WIDTH: f64 = 1.0;
-/// Way that the mesh leaves \[m\]; without friction it is 10 m.
-const ROOM: f64 = 10.6;
+const TURN: f64 = 33.0; // Angle between its fall and the x axis where it is turned [degrees]
+const WIDTH: f64 = 1.0; // Width of the block where the plane is turned [m]; else one cell
+const ROOM: f64 = 10.6; // Way that the mesh leaves [m]; without friction it is 10 m
 
 /// The plane with the block on it: directions and where they begin.
 pub struct Frame {

@@ -7,8 +7,7 @@ use crate::case::{CurvePoint, Found, Quantity, Run, Solved};
 use crate::convergence::relative_l2;
 use crate::study::{Failure, Observer, Phase, STOPPED};
 
-/// Number of times, about, that progress is told.
-const REPORTS: u64 = 100;
+const REPORTS: u64 = 100; // Number of times, about, that progress is told
 
 /// Name of the error of the displacement among the quantities.
 pub const DISPLACEMENT: &str = "L2(u)";

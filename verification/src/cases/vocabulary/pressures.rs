@@ -3,11 +3,10 @@
 use proctor_scene::Vector;
 use proctor_scene::simulation::Simulation;
 
-use super::dynamics::step;
+use super::stepping::step;
 use crate::study::{Failure, Observer, Phase};
 
-/// Steps between two calls of the progress function.
-const REPORT_EVERY: u64 = 20;
+const REPORT_EVERY: u64 = 20; // Steps between two calls of the progress function
 
 /// Averages over time of what acts on the first boundary.
 pub struct Pressures {

@@ -2,7 +2,7 @@
 
 use proctor_scene::simulation::Simulation;
 
-use super::dynamics::step;
+use super::stepping::step;
 use crate::case::Run;
 use crate::settings::Settings;
 use crate::study::{Failure, Observer, Phase};
@@ -23,11 +23,9 @@ pub fn most_steps(settings: &Settings, cells: f64) -> u64 {
     }
 }
 
-/// A time that no relaxation reaches \[s\]; steps do not depend on it.
-const END: f64 = 1e6;
+const END: f64 = 1e6; // A time that no relaxation reaches [s]; steps do not depend on it
 
-/// Steps between two calls of the progress function.
-const REPORT_EVERY: u64 = 20;
+const REPORT_EVERY: u64 = 20; // Steps between two calls of the progress function
 
 /// Steps, at most `most`, until the norm of the unbalanced forces on the free nodes is at most `tolerance` times
 /// `load` (N); returns their ratio.

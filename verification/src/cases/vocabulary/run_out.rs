@@ -8,17 +8,15 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use proctor_scene::simulation::Simulation;
 
-use super::dynamics::step;
-use super::judging::value_of;
+use super::stepping::step;
+use super::verdicts::value_of;
 use crate::case::{Drawing, Gate, Quantity, Rung, Solved};
 use crate::study::{Failure, Observer, Phase};
 
-/// Samples of a run.
-const SAMPLES: u32 = 64;
+const SAMPLES: u32 = 64; // Samples of a run
 /// Samples of which pictures are kept: at the start, early on, and at the end.
 const PICTURED: [u32; 5] = [0, 8, 16, 32, 64];
-/// Plastic strain beyond which a cell is drawn as part of a band.
-const SHEARED: f64 = 0.5;
+const SHEARED: f64 = 0.5; // Plastic strain beyond which a cell is drawn as part of a band
 
 /// Names of the quantities.
 pub const LOST: &str = "mass lost, over that of the start";
@@ -166,8 +164,7 @@ fn most(a: f64, b: f64) -> f64 {
     }
 }
 
-/// Name of the variable of laws that yield.
-const STRAIN: &str = "plastic strain";
+const STRAIN: &str = "plastic strain"; // Name of the variable of laws that yield
 
 /// Particles of the first body as squares, by columns of cells from the left up to the first that is empty: right end and
 /// top of each column \[m\].

@@ -20,10 +20,10 @@ use crate::settings::Method;
 use crate::study::Failure;
 
 /// The variant of a rung that is solved in the plane, and that which is solved as a slab.
-pub(super) const VARIANTS: [&str; 2] = ["plane", "slab"];
+pub const VARIANTS: [&str; 2] = ["plane", "slab"];
 
 /// The methods that a study of a slab tries: contact in space takes most of the time, on any mesh.
-pub(super) fn tries(size: Size, method: Method) -> bool {
+pub fn tries(size: Size, method: Method) -> bool {
     size == Size::Full || method == Method::DEFAULT
 }
 
@@ -31,7 +31,7 @@ pub(super) fn tries(size: Size, method: Method) -> bool {
 ///
 /// # Errors
 /// Why it has no slab.
-pub(super) fn of(plane: Scene, is_slab: bool) -> Result<Scene, Failure> {
+pub fn of(plane: Scene, is_slab: bool) -> Result<Scene, Failure> {
     Ok(if is_slab { slab(&plane)? } else { plane })
 }
 
@@ -56,7 +56,7 @@ impl fmt::Display for NoSlab {
 }
 
 /// Rungs of both variants at the given cells.
-pub(super) fn rungs(cells: &[f64]) -> Vec<Rung> {
+pub fn rungs(cells: &[f64]) -> Vec<Rung> {
     let both = cells
         .iter()
         .flat_map(|&cell| VARIANTS.map(|variant| (cell, variant)));
@@ -68,7 +68,7 @@ pub(super) fn rungs(cells: &[f64]) -> Vec<Rung> {
 ///
 /// # Errors
 /// Bodies that are no rectangles, polygons or discs, and boundaries that are no surface when extruded.
-pub(super) fn slab(plane: &Scene) -> Result<Scene, NoSlab> {
+pub fn slab(plane: &Scene) -> Result<Scene, NoSlab> {
     let thickness = plane.mesh.cell[0];
     let deep = |[x, y, _]: [f64; 3], z: f64| [x, y, z];
     let bodies: Vec<Body> = plane

@@ -14,8 +14,8 @@ use proctor_scene::{
     Vector,
 };
 
-use super::dynamics::run_until;
-use super::{AT_REST, NO_RESULTS, body, cuboid, elastic};
+use super::parts::{AT_REST, NO_RESULTS, body, cuboid, elastic};
+use super::stepping::run_until;
 use crate::case::{Curve, CurvePoint, Quantity};
 use crate::exact::sliding::Slope;
 use crate::study::{Failure, Observer};
@@ -28,23 +28,18 @@ pub const POISSON: f64 = 0.3;
 pub const DENSITY: f64 = 2500.0;
 /// Gravity of the manual along and into the incline \[m/s²\].
 pub const GRAVITY: f64 = 7.07;
-/// Width of the base of the manual, along the third axis \[m\].
-const WIDTH: f64 = 14.0;
+const WIDTH: f64 = 14.0; // Width of the base of the manual, along the third axis [m]
 /// From where to where a block lies along that axis \[m\].
 const ACROSS: [f64; 2] = [2.0, 12.0];
-/// Factor of local damping before the release.
-const DAMPING: f64 = 0.6;
+const DAMPING: f64 = 0.6; // Factor of local damping before the release
 /// Periods of vertical motion before the release. Damping takes `exp(-2 * 0.6)` of the motion in each.
 const PERIODS: f64 = 8.0;
 /// `c dt/h` of the settled scenes, inside the bound of every stress scheme. Near its bound FLIP keeps more of the
 /// vibration of the light nodes at the edges, which rubs.
 pub const COURANT: f64 = 0.3;
-/// Steps of gravity while an incline is tilted.
-const TILTS: u32 = 200;
-/// Points of a picture.
-const POINTS: usize = 40;
-/// Identifier of the base.
-const BASE: i64 = 1;
+const TILTS: u32 = 200; // Steps of gravity while an incline is tilted
+const POINTS: usize = 40; // Points of a picture
+const BASE: i64 = 1; // Identifier of the base
 
 /// Name of the displacement among the quantities.
 pub const WAY: &str = "displacement at 2 s";

@@ -22,6 +22,12 @@ pub const PAPER: Method = Method {
     transfer: TransferKind::Apic,
 };
 
+/// uGIMP and USL with APIC.
+pub const APIC: Method = Method {
+    transfer: TransferKind::Apic,
+    ..Method::DEFAULT
+};
+
 /// The paper's APIC: particles keep their velocity, the affine part goes to the nodes.
 pub fn without_pic(scene: &mut Scene) {
     if scene.transfer.kind == TransferKind::Apic {

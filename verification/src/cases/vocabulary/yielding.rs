@@ -5,7 +5,6 @@
 
 use proctor_laws::{AnyLaw, ConeMatch, DruckerPrager, MohrCoulomb, Tresca, VonMises};
 
-use crate::case::Rung;
 use crate::exact::homogeneous::Surface;
 use crate::exact::two_slopes::TwoSlopes;
 
@@ -21,12 +20,9 @@ pub const DRUCKER_PRAGER: &str = "Drucker-Prager";
 /// All variants.
 pub const LAWS: [&str; 4] = [VON_MISES, TRESCA, MOHR_COULOMB, DRUCKER_PRAGER];
 
-/// Poisson's ratio of laws without friction.
-const POISSON: f64 = 0.3;
-/// Poisson's ratio of laws with friction.
-const POISSON_OF_SOIL: f64 = 0.2;
-/// Hardening modulus over Young's modulus.
-const HARDENING: f64 = 0.1;
+const POISSON: f64 = 0.3; // Poisson's ratio of laws without friction
+const POISSON_OF_SOIL: f64 = 0.2; // Poisson's ratio of laws with friction
+const HARDENING: f64 = 0.1; // Hardening modulus over Young's modulus
 /// Angles of friction and dilation \[°\].
 const ANGLES: [f64; 2] = [20.0, 5.0];
 /// Shear strength of Tresca over the yield stress of von Mises: both yield at the same compression.
@@ -112,17 +108,4 @@ impl Yielding {
             _ => TwoSlopes::von_mises(young, POISSON, self.strength, HARDENING * young),
         }
     }
-}
-
-/// Rungs of all laws, with so many cells along a length \[m\] that labels call `word`.
-pub fn rungs(word: &str, length: f64, counts: &[u32]) -> Vec<Rung> {
-    LAWS.into_iter()
-        .flat_map(|law| Rung::counted(law, &format!("{law} {word}"), length, counts))
-        .collect()
-}
-
-/// Those of one law.
-pub fn of_law(law: &str, rungs: Vec<Rung>) -> Vec<Rung> {
-    let own = |rung: &Rung| rung.variant == law;
-    rungs.into_iter().filter(own).collect()
 }

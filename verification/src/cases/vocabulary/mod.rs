@@ -1,0 +1,13 @@
+//! Vocabulary of the cases: nouns that several of them need.
+
+pub mod incline;
+pub mod mortar;
+pub mod parts;
+pub mod press;
+pub mod pressures;
+pub mod relaxation;
+pub mod run_out;
+pub mod slab;
+pub mod stepping;
+pub mod verdicts;
+pub mod yielding;
