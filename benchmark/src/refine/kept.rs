@@ -15,7 +15,7 @@ pub struct KeptScene {
     pub name: &'static str,
     text: &'static str,
     finer: usize,
-    /// Whether its energies must settle.
+    /// True where its energies must settle; else they must not.
     pub settles: bool,
 }
 
@@ -43,7 +43,7 @@ impl KeptScene {
     /// Runs it on its meshes; `None` where Ctrl-C ended the work.
     ///
     /// # Errors
-    /// Why it cannot be read, run or judged.
+    /// The reason why it cannot be read, run or judged.
     pub fn refined(
         &self,
         options: &Options,
