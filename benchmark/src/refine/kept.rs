@@ -39,6 +39,9 @@ pub const SCENES: [KeptScene; 5] = [
     scene!("swing", 1, true),
 ];
 
+/// Those that the main job refines.
+pub const OF_MAIN_JOB: [KeptScene; 2] = [SCENES[2], SCENES[3]];
+
 impl KeptScene {
     /// Runs it on its meshes; `None` where Ctrl-C ended the work.
     ///
