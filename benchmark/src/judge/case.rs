@@ -125,7 +125,9 @@ impl<'a> Docket<'a> {
         if let Some(mut line) = line(&change) {
             match bars {
                 Some(bars) if bars > 1.0 => line += ", out of the bar",
-                Some(bars) => line += &format!(", by {} of the bar", crate::show::number(bars)),
+                Some(bars) => {
+                    line = format!("{line}, by {} of the bar", crate::show::number(bars));
+                }
                 None => {}
             }
             match change.moved {

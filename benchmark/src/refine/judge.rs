@@ -1,4 +1,4 @@
-//! What runs on several meshes say together: a value with its bar for each quantity, and the gates of the scene.
+//! The judgement of runs on several meshes: a value with its bar for each quantity, and the gates of the scene.
 
 use super::quantity::{Quantity, When, nearest};
 use super::run::MeshRun;
@@ -26,27 +26,27 @@ pub struct Refined {
     pub gates: [Gate; 2],
     /// The quantities.
     pub judged: Vec<Judged>,
-    /// Fields of the particles, where they were asked for.
+    /// Fields of the particles that the user named.
     pub fields: Vec<FieldBar>,
 }
 
 /// A field of the particles, compared between meshes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FieldBar {
-    /// Which.
+    /// The field.
     pub field: Field,
     /// Its root mean square on the finest mesh, in its unit.
     pub size: f64,
     /// The bar of the root mean square of its error.
     pub estimate: Estimate,
-    /// Whether the bar is claimed.
+    /// True where the bar is claimed.
     pub claimed: bool,
 }
 
 /// A quantity, judged.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Judged {
-    /// Which.
+    /// The quantity.
     pub quantity: Quantity,
     /// Values on all meshes, coarse to fine, in the unit of the quantity.
     pub values: Vec<f64>,
@@ -64,11 +64,11 @@ pub struct Judged {
     pub coarse_difference: f64,
     /// Values of the moved meshes.
     pub moved: Vec<f64>,
-    /// Whether a bar is claimed at all, and if not why.
+    /// The claim of the bar, or the reason why there is none.
     pub claim: Claim,
 }
 
-/// Whether the bar of a quantity is claimed.
+/// The claim of a bar, or the reason why there is none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Claim {
     /// It holds the answer of an infinitely fine mesh in 95 of 100 cases.
@@ -199,7 +199,7 @@ impl Refined {
         let gates = [kinetic, strain].map(|energy| energy.gate(scale));
         let settles = gates.iter().all(Gate::passed);
         let quantities = if named.is_empty() {
-            view.without_symmetric(super::quantity::usual(fine))
+            view.without_symmetric(&super::quantity::usual(fine))
         } else {
             named.to_vec()
         };
@@ -246,14 +246,14 @@ impl View<'_> {
 
     /// The quantities that say something: their column changes, measured by the others of their unit, their value is not
     /// zero on all meshes, and their column is not another one or its mirror image.
-    fn without_symmetric(&self, quantities: Vec<Quantity>) -> Vec<Quantity> {
+    fn without_symmetric(&self, quantities: &[Quantity]) -> Vec<Quantity> {
         let change = |quantity: &Quantity| self.change(&quantity.column);
         let largest = |unit: &str| {
             let same = quantities.iter().filter(|other| other.unit() == unit);
             same.map(change).fold(0.0, f64::max)
         };
         let mut kept: Vec<Quantity> = vec![];
-        for quantity in &quantities {
+        for quantity in quantities {
             let least = if quantity.is_extent() {
                 STANDS
             } else {
@@ -274,7 +274,7 @@ impl View<'_> {
         kept
     }
 
-    /// Whether two columns of the finest mesh have the same values or opposite ones.
+    /// True if two columns of the finest mesh have the same values or opposite ones.
     fn are_mirrored(&self, a: &str, b: &str) -> bool {
         let of = |column: &str| self.three[2].columns.get(column);
         let (Some(a), Some(b)) = (of(a), of(b)) else {

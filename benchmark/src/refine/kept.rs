@@ -15,7 +15,7 @@ pub struct KeptScene {
     pub name: &'static str,
     text: &'static str,
     finer: usize,
-    /// Whether its energies must settle.
+    /// True where its energies must settle; else they must not.
     pub settles: bool,
 }
 
@@ -39,11 +39,14 @@ pub const SCENES: [KeptScene; 5] = [
     scene!("swing", 1, true),
 ];
 
+/// Those that the main job refines.
+pub const OF_MAIN_JOB: [KeptScene; 2] = [SCENES[2], SCENES[3]];
+
 impl KeptScene {
     /// Runs it on its meshes; `None` where Ctrl-C ended the work.
     ///
     /// # Errors
-    /// Why it cannot be read, run or judged.
+    /// The reason why it cannot be read, run or judged.
     pub fn refined(
         &self,
         options: &Options,

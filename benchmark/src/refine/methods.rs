@@ -14,7 +14,7 @@ pub struct MethodRun {
     pub method: Method,
     /// Its runs.
     pub runs: Runs,
-    /// What they say, or why they say nothing.
+    /// Their judgement, or the reason why there is none.
     pub refined: Result<Refined, String>,
 }
 

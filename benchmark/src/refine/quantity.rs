@@ -10,11 +10,11 @@ pub struct Quantity {
     pub name: String,
     /// Column of the history.
     pub column: String,
-    /// When it is read.
+    /// The time or part of the history that gives the number.
     pub when: When,
 }
 
-/// When a column is read.
+/// The time or part of a history that gives a number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum When {
     /// At the end of the judged time.
@@ -32,7 +32,7 @@ pub enum When {
 }
 
 impl When {
-    /// Whether the bar is that of a window in time, not of the number alone.
+    /// True where the bar is that of a window in time, not of the number alone.
     #[must_use]
     pub fn is_local(self) -> bool {
         matches!(self, Self::End | Self::At(_))
@@ -64,7 +64,7 @@ impl Quantity {
     /// From `NAME=COLUMN@WHEN`.
     ///
     /// # Errors
-    /// What is accepted.
+    /// The accepted forms.
     pub fn parse(text: &str) -> Result<Self, String> {
         let accepted = || {
             format!(
@@ -99,7 +99,7 @@ impl Quantity {
         })
     }
 
-    /// Whether it is the extent of a body that flows.
+    /// True for the extent of a body that flows.
     #[must_use]
     pub fn is_extent(&self) -> bool {
         let words = ["_front_", "_back_", "_height"];
@@ -249,7 +249,7 @@ pub fn usual(run: &MeshRun) -> Vec<Quantity> {
     all
 }
 
-/// Whether a column belongs to a probe.
+/// True for a column of a probe.
 fn is_probe(column: &str) -> bool {
     !(column.starts_with("body") || column.starts_with("surface") || column.contains("energy"))
 }

@@ -35,11 +35,11 @@ pub struct MeshRun {
     pub columns: BTreeMap<String, Vec<f64>>,
     /// Lower and upper corner of the box that held all particles at all output times \[m\].
     pub bounds: [Vector; 2],
-    /// Fields of the particles at the time at which they were asked for.
+    /// Fields of the particles, where the caller wants them.
     pub snapshot: Option<Snapshot>,
-    /// Why the run failed.
+    /// The reason why the run failed.
     pub fault: Option<String>,
-    /// Whether it was interrupted.
+    /// True where Ctrl-C ended it.
     pub interrupted: bool,
 }
 
@@ -47,7 +47,7 @@ pub struct MeshRun {
 /// are kept at the last output until `snapshot_at` \[s\], where that is given.
 ///
 /// # Errors
-/// Why the scene cannot be set up.
+/// The reason why the scene cannot be set up.
 pub fn run(
     scene: &Scene,
     options: &Options,
@@ -121,7 +121,7 @@ pub fn run(
 /// Names of the columns that a scene gives.
 ///
 /// # Errors
-/// Why the scene cannot be set up.
+/// The reason why the scene cannot be set up.
 pub fn columns(scene: &Scene, options: &Options) -> Result<Vec<String>, Box<SetupError>> {
     let (scene, probes) = prepared(scene);
     let options = with_displacement(options);

@@ -36,7 +36,7 @@ impl Runs {
         finest.map_or(f64::NAN, |run| run.spent.wall.as_secs_f64())
     }
 
-    /// How the time grows as cells become smaller: the exponent of the two finest meshes.
+    /// Exponent with which the time grows as cells become smaller, from the two finest meshes.
     #[must_use]
     pub fn exponent(&self) -> f64 {
         let [.., a, b] = &self.meshes[..] else {
@@ -47,7 +47,7 @@ impl Runs {
     }
 }
 
-/// What is run: scenes on meshes, coarse to fine.
+/// The work of a refinement: scenes on meshes, coarse to fine.
 pub struct Work<'a> {
     /// Name for the progress line.
     pub name: &'a str,
@@ -59,7 +59,7 @@ pub struct Work<'a> {
     pub snapshot_at: Option<f64>,
     /// Threads and lanes.
     pub options: &'a Options,
-    /// Whether the plan and the time are told.
+    /// True where the expected time is printed.
     pub tells: bool,
 }
 

@@ -5,10 +5,10 @@ use crate::record::Record;
 use crate::record::details::RefinedDetail;
 use crate::show::paint::Mark;
 
-/// What marks a quantity without a bar.
+/// Mark of a quantity without a bar.
 const FAILED: Mark = Mark::Failed;
 
-/// What stands above the scenes.
+/// Text above the scenes.
 const WHAT: &str = "A bar holds the answer of an infinitely fine mesh in 95 of 100 cases. It is about mesh and step, not \
     about model or data. Order: by which power of the cell size the values settle.";
 

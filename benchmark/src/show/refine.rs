@@ -47,7 +47,7 @@ pub fn table(refined: &Refined, runs: &Runs, paint: Paint, out: &mut dyn Write) 
     }
 }
 
-/// Which meshes, of what order the energies are, what the place of the mesh does, and last what all of it cost.
+/// Lines about the meshes, the orders of the energies, the effect of the mesh's place, and last the cost.
 #[must_use]
 pub fn findings(refined: &Refined, runs: &Runs, paint: Paint) -> Vec<String> {
     let cells: Vec<String> = runs.meshes.iter().map(|run| number(run.cell)).collect();
@@ -85,13 +85,13 @@ pub fn findings(refined: &Refined, runs: &Runs, paint: Paint) -> Vec<String> {
         ));
     }
     let [meshes, moved] = runs.seconds();
+    let times = meshes / runs.finest_seconds();
     let mut took = format!(
-        "all meshes took {}, {:.2} times the finest",
-        seconds(meshes),
-        meshes / runs.finest_seconds()
+        "all meshes took {}, {times:.2} times the finest",
+        seconds(meshes)
     );
     if moved > 0.0 {
-        took += &format!("; the moved ones {}", seconds(moved));
+        took = format!("{took}; the moved ones {}", seconds(moved));
     }
     lines.push(took);
     lines

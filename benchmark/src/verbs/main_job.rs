@@ -14,9 +14,12 @@ use crate::judge::Verdict as Judgement;
 use crate::precision::costs::Costs;
 use crate::precision::{Effort, Studied, run as study_run};
 use crate::progress::{self, Whole, ladders};
-use crate::record::Record;
+use crate::record::{BY_SCENE, Record};
+use crate::refine::judge::Refined;
+use crate::refine::kept::OF_MAIN_JOB;
 use crate::report::{self, Since};
 use crate::show::paint::Paint;
+use crate::show::refine as show_refined;
 use crate::show::summary::{Kept, Lines, Verdict};
 use crate::show::{case as full, precision as show_study, short, stability as show_stability};
 use crate::stability::{Asked as AskedOfStability, Done, jobs};
@@ -107,6 +110,7 @@ pub fn run(amount: Amount, out: &mut dyn Write) -> Result<Outcome, Failure> {
     }
     let (stable, of_stability) = job.stability(&mut record)?;
     job.precision(&mut record)?;
+    let settled = job.refine(&options, &mut record)?;
     let Job {
         stop,
         paint,
@@ -124,7 +128,11 @@ pub fn run(amount: Amount, out: &mut dyn Write) -> Result<Outcome, Failure> {
         .filter(|_| !interrupted)
         .map(|before| before.judge(&record));
     write(&record, since.as_ref(), folder)?;
-    let also = [(stable, "stability"), (fast, "speed")];
+    let also = [
+        (stable, "stability"),
+        (settled, "error bars"),
+        (fast, "speed"),
+    ];
     let also: Vec<&'static str> = also
         .iter()
         .filter(|(held, _)| !held)
@@ -318,6 +326,43 @@ impl Job<'_> {
     }
 }
 
+impl Job<'_> {
+    /// Two scenes with error bars, a line for both; whether their energies settle.
+    fn refine(&mut self, options: &Options, record: &mut Record) -> Result<bool, Failure> {
+        let mut all_settle = true;
+        let mut done = vec![];
+        for scene in OF_MAIN_JOB {
+            match scene.refined(options, &self.stop) {
+                Ok(None) => break,
+                Ok(Some((refined, runs))) => {
+                    all_settle &= refined.until().is_none();
+                    record.push_refined(&refined, &runs, BY_SCENE);
+                    done.push((refined, runs));
+                }
+                Err(reason) => {
+                    all_settle = false;
+                    say!("{}: {reason}", scene.name);
+                }
+            }
+        }
+        let (amount, paint) = (self.amount, self.paint);
+        if amount.more_than_the_verdict() && !done.is_empty() {
+            self.tell(|out| {
+                if amount.all() {
+                    for (refined, runs) in &done {
+                        show_refined::table(refined, runs, paint, out)?;
+                    }
+                    Ok(())
+                } else {
+                    let refined: Vec<&Refined> = done.iter().map(|(refined, _)| refined).collect();
+                    writeln!(out, "{}", show_refined::short(&refined, paint))
+                }
+            })?;
+        }
+        Ok(all_settle)
+    }
+}
+
 /// Speed on one thread and on all; whether every sample was taken.
 fn speed(
     record: &mut Record,
@@ -358,9 +403,6 @@ fn speed(
             write!(out, "{}", report.short())?;
         }
         all_taken &= measured.rows.iter().all(|row| row.error.is_none());
-    }
-    if in_short {
-        writeln!(out)?;
     }
     Ok(all_taken)
 }

@@ -306,7 +306,7 @@ impl Refine {
         Ok(if held { Outcome::Fine } else { Outcome::Failed })
     }
 
-    /// Writes the record, where one is asked for.
+    /// Writes the record to the file of `--json`, if any.
     fn keep(&self, record: &Record) -> Result<(), Failure> {
         match &self.json {
             Some(path) => record.write(path).map_err(Failure::bad_input),

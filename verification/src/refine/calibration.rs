@@ -148,7 +148,7 @@ fn of_ladder(ladder: &Ladder) -> Vec<Triple> {
     meshes.windows(3).filter_map(of).collect()
 }
 
-/// How often bars hold the truth, and how wide they are.
+/// Share of bars that hold the truth, and their width.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coverage {
     /// Number of bars.
@@ -194,7 +194,7 @@ impl Coverage {
         }
     }
 
-    /// Whether it keeps the bounds of the calibration.
+    /// Its gates: least coverage and largest width.
     #[must_use]
     pub fn gates(&self, name: &str) -> [Gate; 2] {
         [

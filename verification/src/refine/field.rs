@@ -41,13 +41,13 @@ impl Field {
         }
     }
 
-    /// Whether a bar of it is claimed.
+    /// True where a bar of it is claimed.
     #[must_use]
     pub const fn claims(self) -> bool {
         !matches!(self, Self::Stress)
     }
 
-    /// Where its components begin among those of a particle, and their number.
+    /// Place of its first component among those of a particle, and their number.
     const fn components(self) -> (usize, usize) {
         match self {
             Self::Displacement => (0, 3),

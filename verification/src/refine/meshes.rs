@@ -9,7 +9,7 @@ use proctor_scene::{
 const MOST_CHANGE: f64 = 0.02;
 /// Fewest cells across a body on the coarsest mesh.
 const FEWEST_ACROSS: f64 = 2.0;
-/// Cells across a body below which the user is told.
+/// Cells across a body below which a note says so.
 const FEW_ACROSS: f64 = 4.0;
 
 /// The meshes of a refinement.
@@ -43,7 +43,7 @@ impl Meshes {
             match self.on_mesh(scene, factor) {
                 Ok(scene) => scenes.push(scene),
                 Err(problem) if problems.iter().all(|known| known.path != problem.path) => {
-                    problems.push(problem);
+                    problems.push(*problem);
                 }
                 Err(_) => {}
             }
@@ -57,7 +57,7 @@ impl Meshes {
 
     /// The scene on cells that are larger by a factor. Origin and far planes, particles per cell, loads and the Courant number
     /// stay; spacings of boundaries and a constant time step scale with the cell.
-    fn on_mesh(&self, scene: &Scene, factor: f64) -> Result<Scene, Problem> {
+    fn on_mesh(&self, scene: &Scene, factor: f64) -> Result<Scene, Box<Problem>> {
         let mut scene = scene.clone();
         for axis in 0..scene.dimension.axes() {
             let mesh = &mut scene.mesh;
@@ -92,25 +92,26 @@ impl Meshes {
     }
 
     /// A number of cells that the coarser meshes do not divide, and those nearby that they do.
-    fn does_not_divide(&self, cells: usize, axis: usize, count: f64) -> Problem {
+    fn does_not_divide(&self, cells: usize, axis: usize, count: f64) -> Box<Problem> {
         let letter = ["x", "y", "z"][axis];
         let coarser = self.count - 1 - self.finer.min(self.count - 1);
         let multiple = libm::pow(self.ratio, coarser as f64);
         let fits = if multiple.fract() == 0.0 {
             let low = (cells as f64 / multiple).floor() * multiple;
-            format!(
-                "{} or {} cells along {letter}",
-                low.max(multiple),
-                low + multiple
-            )
+            let below = if low > 0.0 {
+                format!("{low} or ")
+            } else {
+                String::new()
+            };
+            format!("{below}{} cells along {letter}", low + multiple)
         } else {
             format!("another number of cells along {letter}")
         };
-        Problem::new(
+        Box::new(Problem::new(
             "mesh.cells_number",
             format!("{cells} cells along {letter}, {count:.4} on one of the meshes"),
             format!("{fits}, `--finer {}`, or another --ratio", self.finer + 1),
-        )
+        ))
     }
 
     /// Everything but the number of cells that cannot be refined.
@@ -155,7 +156,7 @@ impl Meshes {
         problems
     }
 
-    /// What the user should know of a scene before it is refined; each a sentence without its end.
+    /// Cautions about a scene before it is refined; each a sentence without its end.
     #[must_use]
     pub fn notes(&self, scene: &Scene, offsets: usize) -> Vec<String> {
         let coarsest = self.factors()[0];
@@ -240,7 +241,7 @@ fn cells_across(scene: &Scene, body: usize, factor: f64) -> Option<f64> {
     (width.is_finite() && !one_cell_wide).then_some(width / largest)
 }
 
-/// Whether all coordinates lie on cell lines of a mesh whose cells are larger by a factor.
+/// True if all coordinates lie on cell lines of a mesh whose cells are larger by a factor.
 fn on_lines(scene: &Scene, factor: f64, corners: &[[f64; 3]]) -> bool {
     let on = |axis: usize, x: f64| {
         let cells = (x - scene.mesh.origin[axis]) / (scene.mesh.cell[axis] * factor);

@@ -19,7 +19,7 @@ pub const ROUND_OFF: f64 = 1e-9;
 /// Orders beyond this are not told apart.
 const BOUND: f64 = 20.0;
 
-/// How values on finer and finer meshes settle.
+/// The way in which values on finer and finer meshes settle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
     /// The values agree to round-off.
@@ -131,10 +131,10 @@ impl Rule {
     }
 }
 
-/// What three meshes say of a quantity on the finest of them.
+/// The estimate of a quantity on the finest of three meshes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimate {
-    /// How the values settle.
+    /// The way in which the values settle.
     pub verdict: Verdict,
     /// Order seen; `None` where the differences change their sign.
     pub order: Option<f64>,

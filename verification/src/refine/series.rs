@@ -73,7 +73,7 @@ impl Histories<'_> {
         Rule::NORM.estimate(self.cells, differences, self.size())
     }
 
-    /// How the history settles as a whole. Differences are round-off where they are small beside `scale`, the largest energy of
+    /// The gate of the history as a whole. Differences are round-off where they are small beside `scale`, the largest energy of
     /// the scene for one of its energies: before bodies touch, strain energy is nothing else.
     #[must_use]
     pub fn gate(&self, scale: f64) -> Gate {
@@ -107,12 +107,12 @@ impl Histories<'_> {
     }
 }
 
-/// How the largest difference in time of a history falls from mesh to mesh.
+/// The fall of the largest difference in time of a history from mesh to mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gate {
     /// Order seen; `None` where the histories agree to round-off.
     pub order: Option<f64>,
-    /// Where it does not fall with order 0.5 at least: the time until which it does \[s\].
+    /// The time until which it falls with order 0.5 at least \[s\]; `None` where it does to the end.
     pub until: Option<f64>,
 }
 
