@@ -18,6 +18,7 @@ use crate::record::{BY_SCENE, Record};
 use crate::refine::judge::Refined;
 use crate::refine::kept::OF_MAIN_JOB;
 use crate::report::{self, Since};
+use crate::say::say;
 use crate::show::paint::Paint;
 use crate::show::refine as show_refined;
 use crate::show::summary::{Kept, Lines, Verdict};
