@@ -21,7 +21,7 @@ pub use self::rung::Rung;
 pub use self::value::{Case, Plan};
 use crate::convergence::ConvergenceTable;
 
-/// How much of the ladder is run.
+/// The part of the ladder that is run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Size {
     /// Seconds: for tests and for the command without a verb.
@@ -34,7 +34,7 @@ pub enum Size {
 /// should be zero and nothing scales it, a figure where nothing exact is known.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Quantity {
-    /// What it is. [`Case::judge`] finds it by this name.
+    /// Its name, by which [`Case::judge`] finds it.
     pub name: &'static str,
     /// As computed, in `unit`.
     pub value: f64,
@@ -92,14 +92,14 @@ impl Quantity {
         }
     }
 
-    /// Whether it should be zero and has no scale to be relative to.
+    /// True where it should be zero and has no scale to be relative to.
     #[must_use]
     pub fn is_balance(&self) -> bool {
         self.exact == Some(0.0) && self.error.is_none()
     }
 }
 
-/// What a comparison with the exact solution found.
+/// Numbers and pictures of a comparison with the exact solution.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Found {
     /// Numbers, each named once.
@@ -122,7 +122,7 @@ impl Found {
     }
 }
 
-/// What a run of one rung gave.
+/// Result of the run of one rung.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solved {
     /// Number of particles.
@@ -140,7 +140,7 @@ pub struct Solved {
 }
 
 impl Solved {
-    /// What was found of a simulation that has run.
+    /// The result of a simulation that has run.
     #[must_use]
     pub fn new(found: Found, simulation: &Simulation) -> Self {
         Self {
@@ -197,11 +197,11 @@ impl Relation {
 /// A bound that a result must keep.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gate {
-    /// What is bounded, of which variant and resolution.
+    /// The number that is bounded, with its variant and resolution.
     pub name: String,
-    /// What was found; NaN where it could not be computed.
+    /// The value that was found; NaN where it could not be computed.
     pub value: f64,
-    /// Which side is right.
+    /// The side that is right.
     pub relation: Relation,
     /// The bound, in the unit of the value.
     pub bound: f64,
@@ -231,7 +231,7 @@ impl Gate {
         }
     }
 
-    /// Whether the value keeps the bound; NaN does not.
+    /// True where the value keeps the bound; NaN does not.
     #[must_use]
     pub fn passed(&self) -> bool {
         match self.relation {
@@ -241,7 +241,7 @@ impl Gate {
     }
 }
 
-/// What a case says of a ladder that was run.
+/// Verdict of a case on a ladder that was run.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Verdict {
     /// Errors and observed orders, each table with its title.
@@ -255,7 +255,7 @@ pub struct Verdict {
 }
 
 impl Verdict {
-    /// Whether there are gates and all of them pass: a verdict that compared nothing is not green.
+    /// True where there are gates and all of them pass: a verdict that compared nothing is not green.
     #[must_use]
     pub fn passed(&self) -> bool {
         !self.gates.is_empty() && self.gates.iter().all(Gate::passed)
@@ -269,7 +269,7 @@ pub struct CaseError {
     pub case: &'static str,
     /// Label of the rung.
     pub rung: String,
-    /// What went wrong, with where and when.
+    /// The reason, with place and time.
     pub reason: String,
 }
 

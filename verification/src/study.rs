@@ -9,7 +9,7 @@ use crate::case::{self, Case, CaseError, Found, Plan, Rung, Size, Solved};
 use crate::guest::Guest;
 use crate::settings::{Method, Settings};
 
-/// What a run is doing; run time means [`Phase::Stepping`].
+/// The phases of a run; run time means [`Phase::Stepping`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Phase {
     /// From the scene to the first step.
@@ -28,7 +28,7 @@ pub trait Observer {
     /// Called from time to time with the share done, 0 to 1.
     fn progress(&mut self, _share: f64) {}
 
-    /// Whether the run shall end at the next step, with an error.
+    /// True where the run shall end at the next step, with an error.
     fn stop(&self) -> bool {
         false
     }
@@ -61,7 +61,7 @@ impl Measure {
     }
 }
 
-/// What a run with chosen settings gave.
+/// Result of a run with chosen settings.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Studied {
     /// Errors, numbers of particles and steps.
@@ -73,7 +73,7 @@ pub struct Studied {
 }
 
 impl Studied {
-    /// What was found of a simulation that has run, with the time steps that it took.
+    /// The result of a simulation that has run, with the time steps that it took.
     #[must_use]
     pub fn new(found: Found, simulation: &Simulation) -> Self {
         let (_, dt, dt_critical) = simulation.time_steps();
@@ -117,7 +117,7 @@ impl Study {
         self.plan.measures
     }
 
-    /// Whether a study of a size tries a method. Where runs take long, the short study keeps to a few ([`few`]).
+    /// True for a method that a study of a size tries. Where runs take long, the short study keeps to a few ([`few`]).
     #[must_use]
     pub fn tries(&self, size: Size, method: Method) -> bool {
         (self.plan.tries)(size, method)

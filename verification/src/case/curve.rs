@@ -3,7 +3,7 @@
 /// Computed against exact along one coordinate, for pictures; or computed alone, where there is nothing exact.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
-    /// What is shown, and where.
+    /// Title: the quantity, and where.
     pub title: String,
     /// Name and unit of the coordinate.
     pub abscissa: &'static str,
@@ -29,7 +29,7 @@ impl Curve {
         }
     }
 
-    /// Whether any point says what should be.
+    /// True where any point has an exact value.
     #[must_use]
     pub fn has_exact(&self) -> bool {
         self.points.iter().any(|p| p.exact.is_finite())
@@ -69,7 +69,7 @@ impl CurvePoint {
 /// Where bodies are at one time of a run in the plane.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawing {
-    /// What is shown, and when.
+    /// Title: the bodies, and the time.
     pub title: String,
     /// Outlines of the bodies, closed \[m\].
     pub bodies: Vec<Vec<[f64; 2]>>,

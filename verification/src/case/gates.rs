@@ -153,7 +153,7 @@ pub struct GateRule {
     on: fn(&Rung) -> bool,
     /// The one size that it judges, where it judges one alone.
     size: Option<Size>,
-    /// Whether its name begins with the label of the rung.
+    /// True where its name begins with the label of the rung.
     by_rung: bool,
     /// Its name, where it has one of its own.
     name: Option<&'static str>,

@@ -7,13 +7,13 @@ use std::sync::Arc;
 /// One run of a case: a resolution of a variant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rung {
-    /// What tables and messages call it; unique within a case and size.
+    /// Name in tables and messages; unique within a case and size.
     pub label: String,
     /// Cell size h \[m\].
     pub cell: f64,
-    /// Which problem of the case is solved; a word of the case's own.
+    /// The problem of the case that is solved; a word of the case's own.
     pub variant: &'static str,
-    /// What the case knows of it beside these.
+    /// Parameters of the problem.
     problem: Problem,
 }
 

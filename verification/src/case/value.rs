@@ -16,7 +16,7 @@ use crate::guest::Guest;
 use crate::settings::{Method, Settings};
 use crate::study::{Failure, Measure, Observer};
 
-/// How a scene is built.
+/// The function that builds a scene.
 #[derive(Clone, Copy)]
 pub(super) enum Build {
     Always(fn(&Rung, &Settings) -> Scene),
@@ -26,10 +26,10 @@ pub(super) enum Build {
     Tried(fn(&Rung, &Settings) -> Result<Scene, Failure>),
 }
 
-/// How a rung is solved.
+/// The functions that solve a rung.
 #[derive(Clone, Copy)]
 pub(super) enum Solve {
-    /// Steps a simulation of the scene, then compares it: with several references where that is asked for.
+    /// Steps a simulation of the scene, then compares it with one reference or several.
     Compare {
         step: fn(&mut Run<'_>) -> Result<(), Failure>,
         compare: fn(&mut Run<'_>) -> Result<Found, Failure>,

@@ -11,9 +11,9 @@ pub struct Wrong {
     pub correct: f64,
     /// The wrong value.
     pub wrong: f64,
-    /// Whether the gate of a name must fail.
+    /// True for the name of a gate that must fail.
     breaks: fn(&str) -> bool,
-    /// Whether the gate of a name, one that it need not break, must hold.
+    /// True for the name of another gate that must hold.
     spares: fn(&str) -> bool,
     /// The rungs that show it, where a rung must be run again for it.
     on: fn(&Rung) -> bool,
@@ -68,13 +68,13 @@ impl Wrong {
         self
     }
 
-    /// Whether a rung shows it.
+    /// True for a rung that shows it.
     #[must_use]
     pub fn is_shown_by(&self, rung: &Rung) -> bool {
         (self.on)(rung)
     }
 
-    /// Whether the gate of a name must fail; `None` where it may.
+    /// True for the name of a gate that must fail, false for one that must hold; `None` where either is right.
     #[must_use]
     pub fn must_fail(&self, gate: &str) -> Option<bool> {
         let fails = (self.breaks)(gate);
@@ -96,7 +96,7 @@ impl Reference {
         Self(Some(wrong))
     }
 
-    /// Whether no number of it is wrong.
+    /// True where no number of it is wrong.
     #[must_use]
     pub fn is_correct(self) -> bool {
         self.0.is_none()

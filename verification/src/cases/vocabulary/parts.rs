@@ -1,4 +1,4 @@
-//! What scenes are made of: materials, bodies and meshes as most cases have them.
+//! Parts of scenes: materials, bodies, meshes and initial states as most cases have them.
 
 use proctor_laws::{AnyLaw, LinearElastic};
 use proctor_scene::{
