@@ -109,7 +109,10 @@ impl Meshes {
         };
         Box::new(Problem::new(
             "mesh.cells_number",
-            format!("{cells} cells along {letter}, {count:.4} on one of the meshes"),
+            format!(
+                "{cells} cells along {letter}, {} on one of the meshes",
+                (1e3 * count).round() / 1e3
+            ),
             format!("{fits}, `--finer {}`, or another --ratio", self.finer + 1),
         ))
     }
