@@ -20,8 +20,11 @@ use crate::statistics::{mann_whitney, median, ratio_interval, signed_rank};
 use oorandom::Rand64;
 use std::collections::BTreeMap;
 
-/// Passes without which time is not judged.
+/// Passes without which nothing is said of noise.
 pub const PASSES: usize = 3;
+/// Pairs without which time is not judged: with fewer the signed ranks cannot be as unlikely as [`NEARLY_ALL`] asks, even if
+/// all of them say the same.
+pub const LEAST: usize = 10;
 /// Smallest relative change of time that is one.
 pub const TOLERANCE: f64 = 0.03;
 /// Loss of time that is not to pass unseen: what is called the same would have shown it in nine of ten measurements.
@@ -32,7 +35,8 @@ const USELESS: f64 = 0.5;
 const SEED: u64 = 1;
 /// Pairs from which on there is a fastest quarter.
 const MANY: usize = 12;
-/// Chance of the signed ranks if nearly every pair is to say it. Of few pairs every single one must.
+/// Chance of the signed ranks if nearly every pair is to say it: how often a program is called slower than itself by this rule,
+/// at most. Of the least pairs every single one must say it.
 const NEARLY_ALL: f64 = 1e-3;
 /// The same beside the fastest quarter: most pairs must not speak against it. By the clock, which all other work reaches,
 /// more of them must speak for it.
@@ -206,7 +210,7 @@ impl Clock {
 /// `band` is the measured noise of the case, as a relative change.
 ///
 /// # Errors
-/// Says why there is no answer, such as fewer than three passes in common, or noise that would hide anything.
+/// Says why there is no answer, such as fewer than [`LEAST`] passes in common, or noise that would hide anything.
 pub fn compare(base: &Series, head: &Series, band: Option<f64>) -> Result<Time, String> {
     if !base.wall.is_empty() && !head.wall.is_empty() && base.threads != head.threads {
         let said = |series: &Series| {
@@ -223,12 +227,12 @@ pub fn compare(base: &Series, head: &Series, band: Option<f64>) -> Result<Time, 
     let cpu = Pairs::of(Clock::Cpu, base, head);
     // Where the passes of one record lack a time, it is no witness.
     let cpu = (cpu.list.len() == wall.list.len()).then_some(cpu);
-    if wall.list.len() < PASSES {
+    if wall.list.len() < LEAST {
         return Err(match (base.wall.is_empty(), head.wall.is_empty()) {
             (true, _) => "BASE has no time".to_owned(),
             (_, true) => "HEAD has no time".to_owned(),
             _ => format!(
-                "time: {} in common, at least {PASSES} are needed",
+                "time: {} in common, at least {LEAST} are needed: fewer cannot show a change at a chance of {NEARLY_ALL}",
                 match wall.list.len() {
                     1 => "1 pass".to_owned(),
                     n => format!("{n} passes"),
@@ -412,13 +416,8 @@ impl Pairs {
         signed_rank(&differences.collect::<Vec<_>>())
     }
 
-    /// The least chance there is with so many pairs: all of them say the same.
-    fn least_chance(&self) -> f64 {
-        0.5_f64.powi(self.list.len() as i32)
-    }
-
     fn nearly_all_slower(&self, tolerance: f64) -> bool {
-        self.chance_above(tolerance.ln_1p()) <= NEARLY_ALL.max(self.least_chance())
+        self.chance_above(tolerance.ln_1p()) <= NEARLY_ALL
     }
 
     fn fastest_are_slower(&self, tolerance: f64) -> bool {
@@ -467,5 +466,17 @@ impl Pairs {
     fn finds(resamples: &[Self], change: f64, tolerance: f64) -> bool {
         let slower = |pairs: &&Self| pairs.scaled(1.0 + change).pace(tolerance) == Pace::Slower;
         resamples.iter().filter(slower).count() as f64 >= FOUND * RESAMPLES as f64
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_least_pairs_follow_from_the_error_rate_of_the_rule() {
+        let least_chance = |pairs: usize| signed_rank(&vec![1.0; pairs]);
+        assert!(least_chance(LEAST) <= NEARLY_ALL);
+        assert!(least_chance(LEAST - 1) > NEARLY_ALL);
     }
 }

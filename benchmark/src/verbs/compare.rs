@@ -18,7 +18,7 @@ use std::path::PathBuf;
 /// long as it is not worse than the best value that was ever accepted.
 ///
 /// Time is slower if nearly all pairs of runs say so, or from twelve pairs on the fastest quarter, by more than 3 % and
-/// more than their noise; with three pairs all of them must. The time on the processors decides where a run has one
+/// more than their noise; fewer than ten pairs cannot show it at the rule's chance of 0.001 and are not judged. The time on the processors decides where a run has one
 /// thread, the clock elsewhere. It is the same only where a loss of a tenth would have been seen. A gain in time that was
 /// paid for in accuracy is judged at equal error.
 ///

@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use std::fs;
 use std::time::{Duration, Instant};
 
-/// A record of one case in three passes of one run each.
+/// A record of one case in ten passes of one run each, the least of which times are judged.
 fn record(seconds: f64, error: f64) -> Value {
     let row = |pass: u64| {
         json!({
@@ -19,7 +19,7 @@ fn record(seconds: f64, error: f64) -> Value {
             "schema_version": 1, "cpu_model": "one", "lanes": "avx2", "num_cpus": 2,
             "library_build_type": "release", "commit": "0123456789abcdef"
         },
-        "benchmarks": [row(0), row(1), row(2)]
+        "benchmarks": (0..10).map(row).collect::<Vec<_>>()
     })
 }
 
@@ -82,7 +82,7 @@ fn a_record_of_one_pass_is_fine_beside_itself_and_its_times_are_left_out() {
         (
             record(1.0, 0.1),
             2,
-            "1 pass in common, at least 3 are needed",
+            "1 pass in common, at least 10 are needed",
         ),
     ] {
         let [base, head] = two(&desk, &once(1.0, 0.1), &head);
@@ -209,26 +209,26 @@ fn a_folder_holds_a_pass_per_file_or_per_folder() {
     let mut one = record(1.0, 0.1);
     one["benchmarks"].as_array_mut().expect("rows").truncate(1);
     let text = one.to_string();
-    for pass in ["1", "2", "3"] {
-        fs::create_dir_all(desk.path("deep").join(pass)).expect("a folder");
+    for pass in (1..=10).map(|pass| format!("{pass:02}")) {
+        fs::create_dir_all(desk.path("deep").join(&pass)).expect("a folder");
         fs::create_dir_all(desk.path("flat")).expect("a folder");
         fs::write(desk.path("flat").join(format!("{pass}.json")), &text).expect("written");
         for repetition in ["a.json", "b.json", "c.txt"] {
-            fs::write(desk.path("deep").join(pass).join(repetition), &text).expect("written");
+            fs::write(desk.path("deep").join(&pass).join(repetition), &text).expect("written");
         }
     }
     let output = proctor(&["compare", &desk.name("flat"), &desk.name("deep")]);
     assert_eq!(code(&output), 0, "{}{}", stdout(&output), stderr(&output));
     let csv = stdout(&proctor(&["export", "--format", "csv", &desk.name("deep")]));
-    assert_eq!(csv.lines().count(), 1 + 6, "{csv}");
+    assert_eq!(csv.lines().count(), 1 + 20, "{csv}");
     // One of another machine does not belong there.
     one["context"]["cpu_model"] = "another".into();
-    fs::write(desk.path("flat").join("4.json"), one.to_string()).expect("written");
+    fs::write(desk.path("flat").join("11.json"), one.to_string()).expect("written");
     let output = proctor(&["compare", &desk.name("flat"), &desk.name("deep")]);
     assert_eq!(code(&output), 2);
     let message = stderr(&output);
     assert!(
-        message.contains("4.json") && message.contains("cpu_model"),
+        message.contains("11.json") && message.contains("cpu_model"),
         "{message}"
     );
     fs::create_dir(desk.path("bare")).expect("a folder");

@@ -143,7 +143,12 @@ fn another_problem_under_the_same_name() {
 }
 
 #[test]
-fn fewer_than_three_passes() {
+fn fewer_than_ten_passes() {
+    let nine: Vec<Row> = (0..9).map(|pass| sample("a", pass, 0, 1.0)).collect();
+    refused(
+        &compare(&record(nine.clone()), &record(nine)),
+        "9 passes in common, at least 10 are needed",
+    );
     let two: Vec<Row> = (0..2).map(|pass| sample("a", pass, 0, 1.0)).collect();
     refused(
         &compare(&record(two.clone()), &record(two)),

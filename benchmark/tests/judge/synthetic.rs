@@ -7,8 +7,8 @@ use proctor_benchmark::record::{Record, Row};
 use proctor_scene::simulation::Options;
 use std::time::Duration;
 
-/// Passes and repetitions of `scripts/compare-commits`.
-pub const PASSES: u64 = 3;
+/// The least passes of which times are judged, and repetitions of each.
+pub const PASSES: u64 = 10;
 pub const REPETITIONS: u64 = 3;
 
 pub fn record(rows: impl IntoIterator<Item = Row>) -> Record {
