@@ -81,10 +81,11 @@ impl Better {
     pub fn of(meaning: Meaning, side: Option<&str>) -> Self {
         match (meaning, side) {
             (Meaning::Error | Meaning::Balance | Meaning::Count, _) => Self::Less,
-            (Meaning::Order, _) => Self::More,
             // A tighter bound lies where better values lie.
             (Meaning::GateValue | Meaning::GateBound, Some("at most")) => Self::Lower,
-            (Meaning::GateValue | Meaning::GateBound, Some("at least")) => Self::More,
+            (Meaning::Order, _) | (Meaning::GateValue | Meaning::GateBound, Some("at least")) => {
+                Self::More
+            }
             _ => Self::Neither,
         }
     }
