@@ -1,7 +1,7 @@
 //! Studies: cases that are run with settings other than their own, for error against run time.
 
-use proctor_scene::{StressScheme, TransferKind, Weighting};
 use proctor_scene::simulation::{Options, Simulation};
+use proctor_scene::{StressScheme, TransferKind, Weighting};
 
 use std::error::Error;
 

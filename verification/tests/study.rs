@@ -1,7 +1,7 @@
 //! Studies: own settings are what `verify` runs, other settings reach the scene, and observers see every phase.
 
-use proctor_scene::{DomainUpdate, Scene, StressScheme, TimeStep, TransferKind, Weighting};
 use proctor_scene::simulation::Options;
+use proctor_scene::{DomainUpdate, Scene, StressScheme, TimeStep, TransferKind, Weighting};
 use proctor_verification::case::{self, Size};
 use proctor_verification::settings::{Method, Settings};
 use proctor_verification::study::{Observer, Phase, STOPPED, Study, all, few};

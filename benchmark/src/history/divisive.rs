@@ -142,7 +142,7 @@ impl Distances {
     }
 
     /// Sum of the distances of value `j` from the values `from..to`.
-    fn from_all(&self, from: usize, to: usize, j: usize) -> f64 {
+    fn sum_from(&self, from: usize, to: usize, j: usize) -> f64 {
         self.before[to * self.count + j] - self.before[from * self.count + j]
     }
 
@@ -152,12 +152,12 @@ impl Distances {
         let mut best: Option<Candidate> = None;
         let mut left = 0.0;
         for split in from + 1..to {
-            left += self.from_all(from, split - 1, split - 1);
+            left += self.sum_from(from, split - 1, split - 1);
             let n = (split - from) as f64;
             let (mut between, mut right) = (0.0, 0.0);
             for end in split + 1..=to {
-                between += self.from_all(from, split, end - 1);
-                right += self.from_all(split, end - 1, end - 1);
+                between += self.sum_from(from, split, end - 1);
+                right += self.sum_from(split, end - 1, end - 1);
                 let m = (end - split) as f64;
                 let own = |sum: f64, count: f64, other: f64| {
                     if count > 1.0 {

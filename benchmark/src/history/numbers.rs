@@ -194,12 +194,11 @@ fn gathered(rows: Vec<Row>) -> Numbers {
             name: std::mem::take(&mut row.name),
             aggregate: row.aggregate.take(),
         };
-        match places.get(&key) {
-            Some(place) => order[*place].1.push(row),
-            None => {
-                places.insert(key.clone(), order.len());
-                order.push((key, vec![row]));
-            }
+        if let Some(place) = places.get(&key) {
+            order[*place].1.push(row);
+        } else {
+            places.insert(key.clone(), order.len());
+            order.push((key, vec![row]));
         }
     }
     order

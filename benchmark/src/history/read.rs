@@ -147,9 +147,9 @@ pub fn of_git(path: &Path) -> Result<History, HistoryError> {
             let text = text.as_deref()?;
             let named = PathBuf::from(format!("{}:{file}", &hash[..hash.len().min(10)]));
             Some(read(&named, text).map(|(mut point, numbers)| {
-                point.commit = (*hash).to_owned();
-                point.date = (*date).to_owned();
-                point.subject = (*subject).to_owned();
+                (*hash).clone_into(&mut point.commit);
+                (*date).clone_into(&mut point.date);
+                (*subject).clone_into(&mut point.subject);
                 (point, numbers)
             }))
         });
@@ -249,7 +249,7 @@ fn side_by_side<T: Sync, R: Send>(items: &[T], each: impl Fn(&T) -> R + Sync) ->
             .chunks(share)
             .map(|part| scope.spawn(move || part.iter().map(each).collect::<Vec<R>>()))
             .collect();
-        let joined = parts.into_iter().map(|part| part.join());
+        let joined = parts.into_iter().map(std::thread::ScopedJoinHandle::join);
         joined
             .flat_map(|part| part.unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
             .collect()

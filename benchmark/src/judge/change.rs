@@ -83,10 +83,11 @@ impl Better {
             (Meaning::Error | Meaning::Uncertainty | Meaning::Balance | Meaning::Count, _) => {
                 Self::Less
             }
-            (Meaning::Order, _) => Self::More,
             // A tighter bound lies where better values lie.
             (Meaning::GateValue | Meaning::GateBound, Some("at most")) => Self::Lower,
-            (Meaning::GateValue | Meaning::GateBound, Some("at least")) => Self::More,
+            (Meaning::Order, _) | (Meaning::GateValue | Meaning::GateBound, Some("at least")) => {
+                Self::More
+            }
             _ => Self::Neither,
         }
     }

@@ -6,6 +6,7 @@ pub mod cost;
 pub mod costs;
 pub mod findings;
 pub mod peers;
+pub mod problems;
 pub mod rows;
 pub mod run;
 

@@ -3,6 +3,7 @@
 use super::choices::Effort;
 use super::cost::{At, Cost, cost};
 use super::findings::LEVELS;
+use super::problems::keep_fields;
 use super::run::{LONG, USELESS};
 use crate::bench::children::{Calibration, Handed, OWN, calibrate, own};
 use crate::bench::config::Executable;
@@ -174,6 +175,11 @@ pub fn run(
                             let own = peer.executable.name == OWN;
                             due = due.or(run.particles.filter(|_| own));
                             as_many(run.particles, due)?;
+                            if let Some(last) = frames.last() {
+                                let name =
+                                    format!("{}-against-exact.vtu", key(&peer.executable.name));
+                                keep_fields(&guest, last, &folder.join(name))?;
+                            }
                             guest.error(&frames)
                         })
                         .and_then(useful);

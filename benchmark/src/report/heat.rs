@@ -29,7 +29,11 @@ pub fn map(all: &[&Costs]) -> Option<String> {
         .to_owned();
     for method in &methods {
         let words: Vec<String> = method.split(' ').map(escape).collect();
-        let _ = write!(html, "<th scope=\"col\">{}</th>", words.join("<br>").replace("<br>!", "&nbsp;!"));
+        let _ = write!(
+            html,
+            "<th scope=\"col\">{}</th>",
+            words.join("<br>").replace("<br>!", "&nbsp;!")
+        );
     }
     html.push_str("</tr></thead><tbody>\n");
     for (least, costs) in rows {

@@ -71,12 +71,12 @@ impl Speed {
         threads(self.threads)
     }
 
-    /// What arithmetic and memory would take alone, each with its name, the share of the processor time, and that time
-    /// \[ns per particle and step\]. Shares of a record are of the clock, in which all threads work.
+    /// What arithmetic and memory would take alone, each with its name, its share of the time, and that share of the processor
+    /// time \[ns per particle and step\].
     fn floors(&self) -> Vec<(&'static str, f64, f64)> {
         let floor = |(name, share): (&'static str, &Option<f64>)| {
-            let ns = (*share)? * self.wall * self.threads as f64;
-            Some((name, ns / self.cpu, ns))
+            let share = (*share)?;
+            Some((name, share, share * self.cpu))
         };
         FLOORS
             .into_iter()

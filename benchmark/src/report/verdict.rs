@@ -41,7 +41,7 @@ pub fn html(record: &Record, since: Option<&Since<'_>>) -> String {
     };
     match verdict {
         PageVerdict::Worse => {
-            text.push_str(" <a href=\"#since\">Something is worse than before.</a>")
+            text.push_str(" <a href=\"#since\">Something is worse than before.</a>");
         }
         PageVerdict::NotCompared => {
             text.push_str(

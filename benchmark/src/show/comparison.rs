@@ -1,6 +1,6 @@
 //! A comparison of two records, as text and as Markdown.
 
-use super::{Table, paragraph, shortened};
+use super::{Table, columns, paragraph, shortened};
 use crate::judge::change::Moved;
 use crate::judge::{CaseVerdict, Comparison, Finding, Tally, Verdict};
 use crate::record::{CaseKey, Record};
@@ -9,30 +9,42 @@ use std::io::{self, Write};
 
 /// Characters of a case's name in the table on a terminal; the reasons below it name the case in full.
 const NAME: usize = 29;
+/// Columns of a terminal from which on the chance and the tolerance of a time are shown.
+const WIDE: usize = 100;
+/// Places of these two among the cells.
+const NARROW: [usize; 2] = [5, 6];
 
 /// The table of a comparison on a terminal, the reasons, the verdict.
 ///
 /// # Errors
 /// If `out` cannot be written.
 pub fn terminal(comparison: &Comparison, out: &mut dyn Write) -> io::Result<()> {
-    let mut table = Table::new(HEADINGS);
+    let wide = columns() >= WIDE;
+    let fits = |cells: [String; 8]| -> Vec<String> {
+        let cells = cells.into_iter().enumerate();
+        cells
+            .filter(|(place, _)| wide || !NARROW.contains(place))
+            .map(|(_, cell)| cell)
+            .collect()
+    };
+    let mut table = Table::new(fits(HEADINGS.map(str::to_owned)));
     // What is equal bit by bit and has no time says nothing that the last lines do not say.
     let telling = |f: &&Finding| f.verdict != CaseVerdict::Same || f.time.is_some();
     for finding in shown(comparison).filter(telling) {
         let mut cells = cells(finding);
         cells[0] = shortened(&short_name(&finding.case), NAME);
-        table.push(cells);
+        table.push(fits(cells));
     }
     if table.lines().len() > 1 {
-        writeln!(
-            out,
-            "HEAD over BASE: worst error and count, median time and its 95 % interval, chance of such"
-        )?;
-        writeln!(
-            out,
-            "an order of times without a change (Mann-Whitney), tolerance\n"
-        )?;
-        writeln!(out, "{table}")?;
+        let mut what =
+            "HEAD over BASE: worst error and count, median time and its 95 % interval".to_owned();
+        if wide {
+            what.push_str(
+                ", chance of such an order of times without a change (Mann-Whitney), tolerance",
+            );
+        }
+        paragraph(&what, 0, out)?;
+        writeln!(out, "\n{table}")?;
     }
     for (about, reason) in reasons(comparison) {
         paragraph(&about, 2, out)?;

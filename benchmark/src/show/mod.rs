@@ -149,15 +149,19 @@ pub fn filled<'a>(words: impl IntoIterator<Item = &'a str>, characters: usize) -
     lines
 }
 
-/// Characters of a line of text.
-const WIDTH: usize = 100;
+/// Columns that tables and text may take: those of the terminal between 80 and 120, and 80 where there is none.
+#[must_use]
+pub fn columns() -> usize {
+    let found = terminal_size::terminal_size().map(|(width, _)| usize::from(width.0));
+    found.unwrap_or(0).clamp(80, 120)
+}
 
 /// Text in lines that fit, broken at blanks, all of them indented.
 ///
 /// # Errors
 /// If `out` cannot be written.
 pub fn paragraph(text: &str, indent: usize, out: &mut dyn Write) -> io::Result<()> {
-    for line in filled(text.split(' '), WIDTH - indent) {
+    for line in filled(text.split(' '), columns().saturating_sub(indent)) {
         writeln!(out, "{:indent$}{line}", "")?;
     }
     Ok(())

@@ -1,7 +1,7 @@
 //! Cases that were run, one line each, and the verdict over all of them.
 
 use super::paint::{Mark, Paint};
-use super::{case as full, in_words, percent, seconds};
+use super::{case as full, columns, in_words, percent, seconds};
 use crate::measure;
 use crate::record::details::{GateDetail, gate};
 use crate::record::{CaseState, Record};
@@ -11,8 +11,10 @@ use std::fmt::Write as _;
 use std::io::{self, Write};
 use std::time::Duration;
 
-/// Characters of the name of the headline error.
-const HEADLINE: usize = 36;
+/// Characters of a line of a case beside the names of case and headline error.
+const BESIDE: usize = 44;
+/// Characters of the name of the headline error, at least and at most.
+const HEADLINE: [usize; 2] = [10, 36];
 /// Cases that failed and are named in the verdict; all of them stand above it.
 const NAMED: usize = 6;
 
@@ -21,15 +23,20 @@ pub struct Lines {
     paint: Paint,
     /// Characters of the longest name.
     name: usize,
+    /// Characters of the name of the headline error.
+    headline: usize,
 }
 
 impl Lines {
     /// For cases of these names.
     pub fn new<'a>(paint: Paint, names: impl IntoIterator<Item = &'a str>) -> Self {
         let lengths = names.into_iter().map(|name| name.chars().count());
+        let name = lengths.max().unwrap_or(0).max("case".len());
+        let [least, most] = HEADLINE;
         Self {
             paint,
-            name: lengths.max().unwrap_or(0).max("case".len()),
+            name,
+            headline: columns().saturating_sub(BESIDE + name).clamp(least, most),
         }
     }
 
@@ -41,7 +48,7 @@ impl Lines {
         let line = self.line(" ", "case", ["gates", "nearest", "error of", "", "time"]);
         writeln!(
             out,
-            "nearest: share of its bound that the gate next to failing uses; error: of one finest run (-v: all)"
+            "nearest: share of its bound that a gate uses; error: of one finest run (-v: all)"
         )?;
         writeln!(out, "{line}")
     }
@@ -56,7 +63,7 @@ impl Lines {
         let held = gates.iter().filter(|gate| gate.passed).count();
         let tightest = gates.iter().map(GateDetail::used).reduce(f64::max);
         let (of, error) = headline(ran).map_or_else(Default::default, |(name, error)| {
-            (in_words(name, HEADLINE), percent(error))
+            (in_words(name, self.headline), percent(error))
         });
         let time: f64 = ran.rungs.iter().map(|r| r.spent().wall.as_secs_f64()).sum();
         let mark = if ran.passed() {
@@ -87,9 +94,9 @@ impl Lines {
 
     fn line(&self, symbol: &str, name: &str, cells: [&str; 5]) -> String {
         let [gates, tightest, of, error, time] = cells;
-        let width = self.name;
+        let (width, headline) = (self.name, self.headline);
         format!(
-            "{symbol} {name:<width$}  {gates:>8}  {tightest:>8}  {of:<HEADLINE$}  {error:>9}  {time:>7}"
+            "{symbol} {name:<width$}  {gates:>8}  {tightest:>8}  {of:<headline$}  {error:>9}  {time:>7}"
         )
     }
 }

@@ -2,6 +2,8 @@
 
 use crate::exit::{Failure, Outcome};
 use crate::history::{self, History};
+use crate::interrupt::Interrupt;
+use crate::precision::problems;
 use crate::record::Record;
 use crate::record::export::{self, Format};
 use crate::record::otava;
@@ -51,6 +53,8 @@ enum Shape {
     Summary,
     /// A badge for the endpoint of shields.io
     Badge,
+    /// Cases for solvers that read no scene of ours: RECORD is the folder that is written
+    Problems,
     /// A table and a configuration for Apache Otava, which finds change points
     Otava,
 }
@@ -66,6 +70,7 @@ impl Export {
             Shape::Junit => Format::Junit,
             Shape::Summary => Format::Summary,
             Shape::Badge => Format::Badge,
+            Shape::Problems => return self.problems(out),
             Shape::Otava => {
                 let history = history::of_files(&self.record).map_err(Failure::bad_input)?;
                 return otava_files(&history, self.out.as_deref(), out);
@@ -83,6 +88,21 @@ impl Export {
         let text = export::text(&record, format, &baseline)
             .map_err(|error| Failure::BadInput(format!("{}: {error}", path.display())))?;
         write(&text, self.out.as_deref(), out)?;
+        Ok(Outcome::Fine)
+    }
+}
+
+impl Export {
+    /// A folder per run of each open case.
+    fn problems(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
+        let [folder] = self.record.as_slice() else {
+            return Err(Failure::BadInput(
+                "found several folders; accepted: one".to_owned(),
+            ));
+        };
+        let interrupt = Interrupt::listen()?;
+        let folders = problems::write(folder, interrupt.flag()).map_err(Failure::BadInput)?;
+        writeln!(out, "{} problems in {}", folders.len(), folder.display())?;
         Ok(Outcome::Fine)
     }
 }

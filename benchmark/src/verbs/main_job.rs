@@ -57,9 +57,8 @@ const SPEED_HEADING: &str =
 const STABILITY_SECONDS: f64 = 5.0;
 const STUDIES_SECONDS: f64 = 100.0;
 
-const WHERE_TO_GO: &str = "\
-Next (in a checkout, `cargo run --release --` stands for `proctor`): `proctor new` begins a scene of your own, `proctor -v` runs
-this again and tells all of it, `proctor verify` runs the full ladders; `proctor -h` names everything else.";
+const WHERE_TO_GO: &str =
+    "Next: `proctor new` begins a scene, `proctor -v` tells all of this, `-h` names the rest";
 
 /// What the parts of the main job share.
 struct Job<'a> {

@@ -8,6 +8,7 @@ mod element;
 mod export;
 mod folder;
 mod history;
+mod judge;
 mod keys;
 mod main_job;
 mod names;
@@ -59,6 +60,8 @@ pub enum Verb {
     Report(report::Report),
     /// Compare two records: results bit by bit, counts nearly exactly, times by pairs of runs.
     Compare(compare::Compare),
+    /// Judge frames that a solver left on a case, without running it.
+    Judge(judge::Judge),
     /// Add the changes between two records to the ledger of accepted changes.
     Accept(accept::Accept),
     /// Measure the noise of each case: the same program against itself.
@@ -87,6 +90,7 @@ pub fn run(verb: Option<&Verb>, amount: Amount, out: &mut dyn Write) -> Result<O
         Some(Verb::Bench(bench)) => bench.run(out),
         Some(Verb::Report(report)) => report.run(out),
         Some(Verb::Compare(compare)) => compare.run(out),
+        Some(Verb::Judge(judge)) => judge.run(out),
         Some(Verb::Accept(accept)) => accept.run(out),
         Some(Verb::Noise(noise)) => noise.run(out),
         Some(Verb::Export(export)) => export.run(out),

@@ -65,11 +65,12 @@ pub struct Precision {
     /// Bound on the error of a case that other solvers must keep, such as self-weight=2%; without one it is twice the error
     /// of this program's own process, or 1 % where that is more
     #[arg(long, value_name = "CASE=SHARE", requires = "executables")]
-    bound: Vec<Bound>,
+    bound: Vec<String>,
     /// List which cases other solvers can run and what each needs, and why the others cannot be
     #[arg(long, conflicts_with_all = ["executables", "json", "csv", "svg"])]
     guests: bool,
-    /// Keep scenes and results of executables in this folder [default: they are removed]
+    /// Keep scenes and results of executables in this folder, beside them the exact field and the error of each particle as a
+    /// frame [default: they are removed]
     #[arg(long, value_name = "DIR", requires = "executables")]
     keep: Option<PathBuf>,
     #[command(flatten)]
@@ -83,14 +84,7 @@ impl Precision {
             show::guests::list(&studies, out)?;
             return Ok(Outcome::Fine);
         }
-        for bound in &self.bound {
-            names::chosen(
-                std::slice::from_ref(&bound.case),
-                &study::all(),
-                "case",
-                |study| study.name(),
-            )?;
-        }
+        let bounds = self.bounds()?;
         let mut options = self.settings.options()?;
         // Small runs gain nothing from threads, and their times would say more about waiting than about work.
         let threads = *options.threads.get_or_insert(1);
@@ -137,7 +131,7 @@ impl Precision {
                 let mut runs = ran.peers.iter().flat_map(|line| &line.runs);
                 sound &= runs.all(|run| run.error.is_ok());
             }
-            let gates = bounds::gates(&ran, &self.bound);
+            let gates = bounds::gates(&ran, &bounds);
             show::study(&ran, self.all, out)?;
             sound &= show::guests::gates(&gates, out)?;
             out.flush()?;
@@ -157,6 +151,23 @@ impl Precision {
         } else {
             Outcome::Failed
         })
+    }
+
+    /// The bounds, each of a case that there is.
+    fn bounds(&self) -> Result<Vec<Bound>, Failure> {
+        let one = |text: &String| {
+            let bound: Bound = text
+                .parse()
+                .map_err(|fault| Failure::BadInput(format!("--bound: {fault}")))?;
+            names::chosen(
+                std::slice::from_ref(&bound.case),
+                &study::all(),
+                "case",
+                |study| study.name(),
+            )?;
+            Ok(bound)
+        };
+        self.bound.iter().map(one).collect()
     }
 
     /// The executables of the configuration, where one is given.

@@ -100,6 +100,21 @@ fn units_are_told_from_times_and_from_particles() {
         matches!(findings[..], [Finding::Clock { factor }] if (factor - 1e3).abs() < 1e-6),
         "{findings:?}"
     );
+    // Displacements alone in millimetres: the factor is a unit, and no other time.
+    let mut mixed = frame(exact(END), 1.0);
+    let (_, values) = mixed.arrays.get_mut("Displacement").expect("displacements");
+    for u in values.iter_mut() {
+        *u *= 1000.0;
+    }
+    let findings = found(&mixed, Some(END), TimeLabel::Frame);
+    assert_eq!(findings, [Finding::Displacement { factor: 1000.0 }]);
+    assert!(
+        findings[0]
+            .to_string()
+            .contains("1000 times those of the scene"),
+        "{}",
+        findings[0]
+    );
     let mut fewer = frame(exact(END), 1.0);
     fewer.points.pop();
     fewer

@@ -523,3 +523,70 @@ fn the_numpy_example_is_as_good_as_the_kernel_on_a_wave() {
     assert_eq!((own.len(), found.len()), (3, 3), "{text}");
     assert!(found[2] < 1.1 * own[2], "{found:?} {own:?}");
 }
+
+#[test]
+fn frames_are_judged_without_running_a_solver() {
+    let desk = Desk::new();
+    let same = json!({ "same": env!("CARGO_BIN_EXE_proctor") });
+    let (_, text, record) = precision(&desk, "step-bar", &same);
+    let due = errors(&record, "step-bar", "same", "displacement");
+    // What is kept: frames of each run, and beside them the exact field with the error of each particle.
+    let run = found(&desk.path("kept/step-bar"), "same-against-exact.vtu");
+    assert_eq!(run.len(), 3, "{text}");
+    for path in &run {
+        let frame = proctor_benchmark::frames::read(path).expect("a frame");
+        let exact = frame.vectors("Exact displacement").expect("exact values");
+        let computed = frame
+            .vectors("Computed displacement")
+            .expect("computed values");
+        let (_, error) = &frame.arrays["Error"];
+        assert!(!error.is_empty() && exact.len() == error.len());
+        let distance = |i: usize| {
+            let squares = (0..3).map(|axis| (exact[i][axis] - computed[i][axis]).powi(2));
+            squares.sum::<f64>().sqrt()
+        };
+        assert!(
+            error
+                .iter()
+                .enumerate()
+                .all(|(i, error)| (error - distance(i)).abs() <= 1e-12 * distance(i))
+        );
+    }
+    let finest = run
+        .iter()
+        .find(|path| path.to_string_lossy().contains("l_h_64"))
+        .expect("the finest run");
+    let frames = finest.with_file_name("same").display().to_string();
+    for (bound, exit, word) in [("1%", 0, "PASS"), ("0.1%", 1, "FAIL")] {
+        let output = proctor(&["judge", "step-bar", &frames, "--bound", bound]);
+        assert_eq!(code(&output), exit, "{}", stderr(&output));
+        let told = stdout(&output);
+        assert!(told.starts_with(word), "{told}");
+        let percent = format!("relative error {:.3} %", 100.0 * due[2]);
+        assert!(told.contains(&percent), "{told} {due:?}");
+    }
+    for (arguments, words) in [
+        (
+            ["step-bar", frames.as_str(), "--run", "nope"],
+            "accepted: pressed_l_h_16, pressed_l_h_32, pressed_l_h_64",
+        ),
+        (
+            ["step-barr", frames.as_str(), "--bound", "1%"],
+            "did you mean `step-bar`?",
+        ),
+        (
+            ["step-bar", "/none", "--bound", "1%"],
+            "no .vtu frame below /none",
+        ),
+        (
+            ["hertz", frames.as_str(), "--bound", "1%"],
+            "frames of particles hold none",
+        ),
+    ] {
+        let mut all = vec!["judge"];
+        all.extend(arguments);
+        let output = proctor(&all);
+        assert_eq!(code(&output), 2, "{arguments:?}");
+        assert!(stderr(&output).contains(words), "{}", stderr(&output));
+    }
+}

@@ -22,8 +22,8 @@ mod new;
 mod pipe;
 mod plan;
 mod precision;
-mod report;
 mod refine;
+mod report;
 mod restart;
 mod run;
 #[cfg(unix)]

@@ -61,6 +61,9 @@ fn how(arguments: &[&str]) -> How {
         ["run", scene, ..] if scene.starts_with("fixtures/scenes/speed/") => {
             How::Instead(&["plan", "fixtures/scenes/speed/block_1m.json"])
         }
+        ["export", "--format", "problems", ..] => {
+            How::NotRun("it runs every open case; tests/command/guests.rs judges frames")
+        }
         ["history", rest @ ..] if rest.contains(&"--git") => {
             How::Instead(&["history", "record.json"])
         }
@@ -200,7 +203,11 @@ fn other(line: &str, words: &[String], desk: &Path) -> Result<(), String> {
     match words[..] {
         ["cargo", "test", ref options @ ..] => targets(options),
         ["cargo", "bench", ref options @ ..] => benches(options),
-        ["cargo", "build" | "clippy" | "doc" | "fmt" | "mutants", ..] => Ok(()),
+        [
+            "cargo",
+            "build" | "clippy" | "doc" | "fmt" | "install" | "mutants",
+            ..,
+        ] => Ok(()),
         [
             "cargo",
             "run",

@@ -60,15 +60,15 @@ fn ten_per_cent_is_always_found_and_five_in_most() {
     let mut machine = Machine::usual(3);
     // As many pairs as `scripts/compare-commits` makes. Of ten every single one must say it, which they do less often.
     machine.passes = 12;
-    let [base, head] = machine.records(1000, 1.10);
+    let [base, head] = machine.records(300, 1.10);
     let comparison = compare(&base, &head);
     assert_eq!(share(&comparison, CaseVerdict::Worse), 1.0);
     assert_eq!(comparison.verdict(), Verdict::Worse);
-    let [base, head] = machine.records(1000, 1.05);
+    let [base, head] = machine.records(300, 1.05);
     let found = share(&compare(&base, &head), CaseVerdict::Worse);
     println!("five per cent slower: found in {found} of the cases");
     assert!(found > 0.8, "{found}");
-    let [base, head] = machine.records(1000, 1.0 / 1.10);
+    let [base, head] = machine.records(300, 1.0 / 1.10);
     assert_eq!(share(&compare(&base, &head), CaseVerdict::Better), 1.0);
 }
 

@@ -69,6 +69,13 @@ fn a_regression_and_a_gain_are_told_as_tables_and_pictures() {
         assert!(titles.contains(&title), "{titles:?}");
     }
     let first = page.split("<main").next().unwrap_or_default();
+    // One verdict: all gates hold, and the first line is as red as the card.
+    let banner =
+        "<div class=\"verdict fail\" role=\"status\"><strong>WORSE</strong> 3 of 3 gates hold";
+    assert!(
+        first.contains(banner) && !first.contains("PASS</strong>"),
+        "{first}"
+    );
     assert!(first.contains("<strong>WORSE</strong> since commit 0123456789: 2 worse, 2 better"));
     assert!(first.contains("Largest losses") && first.contains("Largest gains"));
 }

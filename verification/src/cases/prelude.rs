@@ -3,13 +3,17 @@
 pub(crate) use std::f64::consts::{FRAC_PI_2, PI, TAU};
 pub(crate) use std::sync::{Arc, OnceLock};
 
+pub(crate) use proctor_contact::geometry::mortar::Point;
+pub(crate) use proctor_contact::geometry::mortar::boundary::{BoundarySide, Chain};
+pub(crate) use proctor_contact::geometry::mortar::motion::FollowMode;
+pub(crate) use proctor_contact::geometry::surface::{Surface, SurfaceError};
 pub(crate) use proctor_laws::{
     AnyLaw, Band, Bingham, ConeMatch, DruckerPrager, EquationOfState, LinearElastic, MohrCoulomb,
     NeoHookean, Newtonian, ObjectiveRate, Residual, Softening, Tresca, VonMises,
 };
-pub(crate) use proctor_contact::geometry::mortar::Point;
-pub(crate) use proctor_contact::geometry::mortar::boundary::{BoundarySide, Chain};
-pub(crate) use proctor_contact::geometry::mortar::motion::FollowMode;
+pub(crate) use proctor_scene::simulation::{
+    Condition, FieldNodes, InitialField, InitialState, Options, Simulation, StepError,
+};
 pub(crate) use proctor_scene::{
     BaseMotion, Body, BodyBoundary, BoxLoad, Contact, ContactNormal, Damping, Dimension,
     DomainUpdate, HeldBox, History, InitialStress, Material, Mesh, Mortar, MortarContact, Motion,
@@ -17,10 +21,6 @@ pub(crate) use proctor_scene::{
     Shape, StressScheme, TimeStep, Traction, TransferKind, Vector, Vertices, VolumetricStrain,
     Weighting,
 };
-pub(crate) use proctor_scene::simulation::{
-    Condition, FieldNodes, InitialField, InitialState, Options, Simulation, StepError,
-};
-pub(crate) use proctor_contact::geometry::surface::{Surface, SurfaceError};
 
 pub(crate) use super::vocabulary::mortar::{self, *};
 pub(crate) use super::vocabulary::parts::*;

@@ -13,6 +13,8 @@ const LABEL: f64 = 0.25;
 const END: f64 = 1.5;
 /// Factor on the time above which it is another unit and no other time.
 const CLOCK: f64 = 5.0;
+/// Relative deviation of a way and a fall from those of another unit of length.
+const UNIT: f64 = 0.2;
 /// Relative deviation of gravity: a cycle that kicks before it moves is ahead by half a step, twice of it in gravity.
 const FALL: f64 = 1.5 / STEPS;
 
@@ -35,6 +37,11 @@ pub enum Finding {
     Velocity {
         /// Way along x \[m\].
         way: f64,
+    },
+    /// Displacements in another unit, positions in metres.
+    Displacement {
+        /// Displacements over those that are due.
+        factor: f64,
     },
     /// Times in another unit.
     Clock {
@@ -91,6 +98,11 @@ impl fmt::Display for Finding {
                 "`initial_velocity` does not act: a way of {} m where {} m are due",
                 number(way),
                 number(VELOCITY * STEPS * STEP)
+            ),
+            Self::Displacement { factor } => write!(
+                f,
+                "its displacements are {} times those of the scene, which are in metres as its positions: another unit",
+                number(factor)
             ),
             Self::Clock { factor } => write!(
                 f,
@@ -155,8 +167,24 @@ pub(super) fn findings(
         all.push(Finding::Length { factor: metre });
     }
     let mean = |axis: usize| u.iter().map(|u| u[axis]).sum::<f64>() / u.len() as f64 / metre;
-    let (end, time) = (STEPS * STEP, mean(0) / VELOCITY);
+    let end = STEPS * STEP;
     let label = label.unwrap_or(end);
+    // A label that is right and a way and a fall that are wrong by one power of ten: the unit is wrong, not the time.
+    let (way, fall) = (
+        mean(0) / (VELOCITY * end),
+        mean(axes - 1) / (-0.5 * GRAVITY * end * end),
+    );
+    let unit = 10f64.powf(way.abs().log10().round());
+    let is_unit = unit != 1.0 && within(way / unit - 1.0, UNIT) && within(fall / unit - 1.0, UNIT);
+    let unit = if is_unit && within(label / end - 1.0, UNIT) {
+        unit
+    } else {
+        1.0
+    };
+    if unit != 1.0 {
+        all.push(Finding::Displacement { factor: unit });
+    }
+    let time = mean(0) / unit / VELOCITY;
     let flies = time > STEP;
     if !flies {
         all.push(Finding::Velocity { way: mean(0) });
@@ -174,7 +202,7 @@ pub(super) fn findings(
     if !within(time - end, END * STEP) {
         all.push(Finding::End { found: time });
     }
-    let fall = 2.0 * mean(axes - 1) / (time * time);
+    let fall = 2.0 * mean(axes - 1) / unit / (time * time);
     if !within(fall + GRAVITY, FALL * GRAVITY) {
         all.push(Finding::Gravity { found: fall });
     }

@@ -10,10 +10,13 @@ const OUTPUTS: [(&str, &str); 2] = [
     ("standard-error.txt", "on standard error"),
     ("standard-output.txt", "on standard output"),
 ];
-/// Lines of each that a message shows.
+/// Lines of each that a message shows: the last ones, or where some speak of an error, those.
 const LINES: usize = 4;
+const ERRORS: usize = 10;
+/// What such lines speak of.
+const WORDS: [&str; 4] = ["error", "fatal", "exception", "panicked"];
 /// Bytes of the end of a file that are looked at, and letters of a line that are shown.
-const END: u64 = 8192;
+const END: u64 = 65536;
 const LETTERS: usize = 200;
 
 /// The files for the standard error and the standard output of a process, in the folder of its results.
@@ -54,10 +57,61 @@ fn last_lines(path: &PathBuf) -> Vec<String> {
     let lines: Vec<String> = text
         .lines()
         .map(|line| {
-            let plain = line.chars().filter(|c| !c.is_control());
-            plain.take(LETTERS).collect::<String>().trim().to_owned()
+            plain(line)
+                .chars()
+                .take(LETTERS)
+                .collect::<String>()
+                .trim()
+                .to_owned()
         })
         .filter(|line| !line.is_empty())
         .collect();
-    lines[lines.len().saturating_sub(LINES)..].to_vec()
+    let speaks = |line: &&String| {
+        let line = line.to_lowercase();
+        WORDS.iter().any(|word| line.contains(word))
+    };
+    let errors: Vec<String> = lines.iter().filter(speaks).cloned().collect();
+    let (lines, most) = if errors.is_empty() {
+        (lines, LINES)
+    } else {
+        (errors, ERRORS)
+    };
+    lines[lines.len().saturating_sub(most)..].to_vec()
+}
+
+/// A line without control characters, and without the sequences that set colours on a terminal.
+fn plain(line: &str) -> String {
+    let mut text = String::new();
+    let mut rest = line.chars();
+    while let Some(c) = rest.next() {
+        if c == '\u{1b}' {
+            // To the letter that ends the sequence.
+            let mut inside = rest.by_ref().skip_while(|c| *c == '[');
+            inside.find(char::is_ascii_alphabetic);
+        } else if !c.is_control() {
+            text.push(c);
+        }
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn colours_are_left_out_and_errors_come_before_the_last_lines() {
+        assert_eq!(
+            plain("\u{1b}[1;31merror\u{1b}[0m: no\u{7} cell"),
+            "error: no cell"
+        );
+        let folder = tempfile::TempDir::new().expect("a folder");
+        let path = folder.path().join("said.txt");
+        let mut text = String::from("Error: the mesh is empty\n");
+        text.extend((0..20).map(|i| format!("cleaning up {i}\n")));
+        std::fs::write(&path, &text).expect("written");
+        assert_eq!(last_lines(&path), ["Error: the mesh is empty"]);
+        std::fs::write(&path, text.replace("Error", "Note")).expect("written");
+        assert_eq!(last_lines(&path).len(), LINES);
+    }
 }

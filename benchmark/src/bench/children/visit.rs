@@ -5,7 +5,7 @@ use super::compare::displacements;
 use super::process;
 use super::said::with_words;
 use super::written::written;
-use crate::bench::config::Executable;
+use crate::bench::config::{Executable, TimeLabel};
 use crate::frames::{self, Frame};
 use crate::measure::Spent;
 use crate::show::number;
@@ -84,14 +84,26 @@ impl Handed {
         folder: &Path,
     ) -> Result<Vec<Snapshot>, String> {
         let out = folder.join(crate::record::key(&executable.name));
-        self.read(guest, executable, calibration, &out)
+        self.read(guest, executable.time_label, calibration, &out)
             .map_err(|reason| with_words(&reason, &out))
     }
 
-    fn read(
+    /// The files of the problem with their texts, the scene first.
+    pub(crate) fn texts(&self) -> Vec<(String, String)> {
+        let scene = ("scene.json".to_owned(), format!("{:#}\n", self.scene));
+        std::iter::once(scene)
+            .chain(self.files.iter().cloned())
+            .collect()
+    }
+
+    /// The frames that lie in a folder, with times that mean what the label says; never none.
+    ///
+    /// # Errors
+    /// Why they cannot be compared.
+    pub(crate) fn read(
         &self,
         guest: &Guest,
-        executable: &Executable,
+        label_means: TimeLabel,
         calibration: &Calibration,
         out: &Path,
     ) -> Result<Vec<Snapshot>, String> {
@@ -115,7 +127,7 @@ impl Handed {
             if label <= 0.5 * self.step {
                 continue;
             }
-            reached = label + executable.time_label.ahead() * self.step;
+            reached = label + label_means.ahead() * self.step;
             snapshots.push(self.snapshot(guest, calibration, &frame, reached)?);
         }
         let ends = (reached - guest.scene.time).abs() <= END * self.step;

@@ -37,10 +37,13 @@ pub fn all(history: &History) -> Vec<(String, Figure)> {
     figures
 }
 
+/// A way in which numbers changed: its word, its look, and how many of a record did.
+type Kind = (&'static str, Colour, Mark, fn(&Tally) -> usize);
+
 /// How many numbers became worse and better at each record.
 fn overview(history: &History, changes: &[ChangePoint]) -> Figure {
     let tallies = Tally::of(history, changes);
-    let kinds: [(&str, Colour, Mark, fn(&Tally) -> usize); 4] = [
+    let kinds: [Kind; 4] = [
         ("close", Colour::Hue(6), Mark::Dot, |tally| tally.close),
         ("moved", Colour::Hue(0), Mark::Square, |tally| tally.moved),
         ("better", Colour::Hue(2), Mark::Circle, |tally| tally.better),

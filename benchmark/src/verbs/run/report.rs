@@ -1,7 +1,7 @@
 //! What a run prints when it is over.
 
 use crate::measure::{self, Spent};
-use crate::show::{grouped, number, seconds};
+use crate::show::{columns, filled, grouped, number, seconds};
 use proctor_files::output::Summary;
 use proctor_files::output::checkpoint::CHECKPOINT;
 use proctor_files::output::history::HISTORY;
@@ -17,6 +17,9 @@ const SHOWN_EVENTS: usize = 3;
 /// Cells by which a vertex of mortar contact may be off its body before a person is told. A disc that was squeezed and has
 /// settled with half more than its pressure is off by more (`kernel/tests/physics/mortar_drift.rs`), *rings* by less.
 const FAR_OFF: f64 = 0.1;
+
+/// Columns of the names of rows.
+const BESIDE: usize = 16;
 
 /// A short table of a run.
 pub struct Report<'a> {
@@ -226,5 +229,11 @@ fn written(folder: &Path) -> String {
 }
 
 fn row(f: &mut fmt::Formatter<'_>, name: &str, text: &str) -> fmt::Result {
-    writeln!(f, "{name:<15} {text}")
+    // A line that is too long goes on below its text.
+    let mut heading = name;
+    for line in filled(text.split(' '), columns() - BESIDE) {
+        writeln!(f, "{heading:<15} {line}")?;
+        heading = "";
+    }
+    Ok(())
 }

@@ -343,7 +343,9 @@ impl SurfaceContact {
                 impact -= one.impulse[axis] * (one.mean[axis] - v_s[axis]);
             }
         };
-        light_nodes::follow(touches, &mut self.light, velocities, of_surfaces, give);
+        if goes_on(view.settings) {
+            light_nodes::follow(touches, &mut self.light, velocities, of_surfaces, give);
+        }
         let mut power = 0.0;
         for surface in 0..self.last.len() {
             let v = self.near.now[surface].velocity;
@@ -387,31 +389,20 @@ impl SurfaceContact {
             touches, places, ..
         } = &mut self.mapped;
         let pushed = &self.pushed;
-        let (mut looked, mut kept) = (0, 0);
-        touches.list.retain_mut(|touch| {
-            let place = places[looked];
-            looked += 1;
+        let mut held = places.iter().map(|place| {
             let id = view.particles[place.set].id[place.p];
             let found = PushedParticle::find(pushed, (place.surface, place.set, id));
-            let Some(held) = found.map(|pushed| pushed.held) else {
+            found.map(|pushed| pushed.held)
+        });
+        touches.list.retain_mut(|touch| {
+            let Some(held) = held.next().flatten() else {
                 return false;
             };
-            places[kept] = place;
-            kept += 1;
             (touch.floor, touch.penalty) = (f64::NEG_INFINITY, 0.0);
             touch.friction = if held { f64::INFINITY } else { 0.0 };
             true
         });
-        places.truncate(kept);
         touches.resolve(view.lanes, TOLERANCE, SWEEPS);
-        let fields = Fields::of_step(&view);
-        let velocities = |t: &TouchedNode| {
-            let line = &fields.lines(t.field)[t.node];
-            [std::array::from_fn(|axis| line[lane + axis]), [0.0; 3]]
-        };
-        let now = &self.near.now;
-        let of_surfaces = places.iter().map(|place| now[place.surface].velocity);
-        light_nodes::follow(touches, &mut self.light, velocities, of_surfaces, |_| {});
         change_velocities(update.grid, touches, lane, false);
         let still = at_half_step_after(&nodal.walls);
         let keep = |planes: &mut Planes<'_>| {

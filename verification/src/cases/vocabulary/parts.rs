@@ -1,10 +1,10 @@
 //! Parts of scenes: materials, bodies, meshes and initial states as most cases have them.
 
 use proctor_laws::{AnyLaw, LinearElastic};
+use proctor_scene::simulation::{InitialState, Options};
 use proctor_scene::{
     Body, Dimension, InitialStress, Material, Mesh, PlaneCondition, Results, Scene, Shape, Vector,
 };
-use proctor_scene::simulation::{InitialState, Options};
 use std::sync::Arc;
 
 /// Nothing is written: a case reads the simulation itself.

@@ -7,11 +7,11 @@
 use proctor_contact::geometry::mortar::boundary::{BoundarySide, Chain};
 use proctor_contact::geometry::mortar::outline::outline;
 use proctor_contact::geometry::mortar::space::refine::fill;
+use proctor_contact::geometry::surface::{Surface, SurfaceError};
 use proctor_scene::{
     Body, BodyBoundary, BoxLoad, Dimension, Mesh, Mortar, PlaneCondition, RigidFacets, Scene,
     Shape, Vertices,
 };
-use proctor_contact::geometry::surface::{Surface, SurfaceError};
 use std::fmt;
 use std::sync::Arc;
 

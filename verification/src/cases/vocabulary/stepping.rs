@@ -1,7 +1,7 @@
 //! Motion to a fixed time, and the fields at its end.
 
-use proctor_scene::{OnImbalance, Scene, TimeStep};
 use proctor_scene::simulation::{Options, Simulation, StepInfo};
+use proctor_scene::{OnImbalance, Scene, TimeStep};
 
 use crate::case::{CurvePoint, Found, Quantity, Run, Solved};
 use crate::convergence::relative_l2;

@@ -1,0 +1,178 @@
+//! The problems of the cases for solvers that read no scene of ours: folders to be solved by hand, and frames judged without
+//! running a solver.
+
+use crate::bench::children::{Calibration, Handed, own};
+use crate::record::key;
+use proctor_files::output::atomic;
+use proctor_verification::case::{Rung, Size};
+use proctor_verification::guest::{Compared, Guest, Norm, Snapshot};
+use proctor_verification::study::{self, Study};
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
+
+/// Velocities of frames are those at the time of their particles.
+const CALIBRATED: Calibration = Calibration {
+    velocity_ahead: Some(0.0),
+};
+
+/// Writes each run of the short study of each open case into a folder `CASE/RUN`: the scene, the exact values as CSV, and a
+/// README. The folders, in the order of the cases.
+///
+/// # Errors
+/// What cannot be written, or why this program cannot run a scene to say where its particles begin.
+pub fn write(folder: &Path, stop: &AtomicBool) -> Result<Vec<PathBuf>, String> {
+    let own = own().ok_or("this program does not know its own file")?;
+    let desk = tempfile::TempDir::new().map_err(|error| error.to_string())?;
+    let mut folders = vec![];
+    for study in study::all() {
+        for rung in study.path(Size::Quick) {
+            let Ok(guest) = study.guest(&rung) else {
+                continue;
+            };
+            let handed = Handed::new(&guest)?;
+            let place = desk.path().join(study.name()).join(key(&rung.label));
+            handed.run(&own, 1, &place, stop)?;
+            let frames = handed.snapshots(&guest, &own, &CALIBRATED, &place)?;
+            let folder = folder.join(study.name()).join(key(&rung.label));
+            problem(study, &rung, &guest, &handed, &frames, &folder)
+                .map_err(|error| format!("{}: {error}", folder.display()))?;
+            folders.push(folder);
+        }
+    }
+    Ok(folders)
+}
+
+/// The words for what is compared.
+fn compared(guest: &Guest) -> (&'static str, &'static str) {
+    match guest.compared {
+        Compared::Displacement => ("displacement", "m"),
+        Compared::Velocity => ("velocity", "m/s"),
+    }
+}
+
+fn problem(
+    study: Study,
+    rung: &Rung,
+    guest: &Guest,
+    handed: &Handed,
+    frames: &[Snapshot],
+    folder: &Path,
+) -> std::io::Result<()> {
+    std::fs::create_dir_all(folder)?;
+    for (name, text) in handed.texts() {
+        std::fs::write(folder.join(name), text)?;
+    }
+    let (what, unit) = compared(guest);
+    let mut table = format!("time_s,x_m,y_m,z_m,{what}_x,{what}_y,{what}_z\n");
+    for frame in frames {
+        for (start, exact) in frame
+            .starts
+            .iter()
+            .zip((guest.exact)(&frame.starts, frame.time))
+        {
+            let numbers: Vec<String> = [frame.time]
+                .iter()
+                .chain(start)
+                .chain(&exact)
+                .map(ToString::to_string)
+                .collect();
+            let _ = writeln!(table, "{}", numbers.join(","));
+        }
+    }
+    std::fs::write(folder.join("exact.csv"), table)?;
+    let norm = match guest.norm {
+        Norm::L2 => {
+            "sqrt(sum |f - f_exact|^2 / sum |f_exact|^2) over all particles and frames".to_owned()
+        }
+        Norm::Mean(axis) => {
+            format!("the mean over the particles along axis {axis}, less the exact one, over it")
+        }
+    };
+    let text = format!(
+        "# {name}, {label}\n\n{question}\n\n\
+         - `scene.json`: the problem, SI units; `proctor keys WORD` explains its words.\n\
+         - `exact.csv`: the exact {what} ({unit}) of particles that began at x, y, z, at each time.\n\
+         - Norm: {norm}.\n\
+         - Frames are `.vtu` files with point data `Displacement` (m) and, for velocities, `Velocity` (m/s), with a `.pvd` of\n  \
+         their times.\n\
+         - Judged by `proctor judge {name} FRAMES --run {key}`; bound: `--bound`, else 1 %.\n",
+        name = study.name(),
+        label = rung.label,
+        question = study.case.question(),
+        key = key(&rung.label),
+    );
+    std::fs::write(folder.join("README.md"), text)
+}
+
+/// The relative error of frames that lie in a folder, on a run of a case.
+///
+/// # Errors
+/// Why there is none.
+pub fn judge(study: Study, rung: &Rung, frames: &Path) -> Result<f64, String> {
+    let guest = study.guest(rung)?;
+    let handed = Handed::new(&guest)?;
+    let own = own().ok_or("this program does not know its own file")?;
+    let frames = handed.read(&guest, own.time_label, &CALIBRATED, frames)?;
+    guest.error(&frames)
+}
+
+/// Writes exact values and the error of each particle beside the frames of a solver, for its last frame.
+///
+/// # Errors
+/// If the file cannot be written.
+pub fn keep_fields(guest: &Guest, frame: &Snapshot, path: &Path) -> Result<(), String> {
+    let exact = (guest.exact)(&frame.starts, frame.time);
+    let (what, _) = compared(guest);
+    let vectors = |values: &[[f64; 3]]| {
+        let rows: Vec<String> = values
+            .iter()
+            .map(|v| format!("{:e} {:e} {:e}", v[0], v[1], v[2]))
+            .collect();
+        rows.join("\n")
+    };
+    let errors: Vec<String> = frame
+        .values
+        .iter()
+        .zip(&exact)
+        .map(|(value, exact)| {
+            let squares = (0..3).map(|axis| (value[axis] - exact[axis]).powi(2));
+            format!("{:e}", squares.sum::<f64>().sqrt())
+        })
+        .collect();
+    let count = frame.starts.len();
+    let array = |name: &str, components: usize, text: &str| {
+        format!(
+            "<DataArray type=\"Float64\" Name=\"{name}\" NumberOfComponents=\"{components}\" format=\"ascii\">\n{text}\n</DataArray>\n"
+        )
+    };
+    let whole = |text: &str| format!("<DataArray type=\"Int64\" {text}</DataArray>\n");
+    let numbers = |of: &dyn Fn(usize) -> usize| -> String {
+        (0..count)
+            .map(|i| of(i).to_string())
+            .collect::<Vec<_>>()
+            .join(" ")
+    };
+    let text = format!(
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\">\n\
+         <UnstructuredGrid><Piece NumberOfPoints=\"{count}\" NumberOfCells=\"{count}\">\n<Points>{}</Points>\n\
+         <PointData>{}{}{}</PointData>\n<Cells>{}{}{}</Cells>\n</Piece></UnstructuredGrid></VTKFile>\n",
+        array("Position at the start", 3, &vectors(&frame.starts)),
+        array(&format!("Computed {what}"), 3, &vectors(&frame.values)),
+        array(&format!("Exact {what}"), 3, &vectors(&exact)),
+        array("Error", 1, &errors.join("\n")),
+        whole(&format!(
+            "Name=\"connectivity\" format=\"ascii\">{}",
+            numbers(&|i| i)
+        )),
+        whole(&format!(
+            "Name=\"offsets\" format=\"ascii\">{}",
+            numbers(&|i| i + 1)
+        )),
+        whole(&format!(
+            "Name=\"types\" format=\"ascii\">{}",
+            numbers(&|_| 1)
+        )),
+    );
+    atomic::write(path, |file| file.write_all(text.as_bytes())).map_err(|error| error.to_string())
+}
