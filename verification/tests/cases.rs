@@ -193,7 +193,7 @@ fn errors_are_those_of_their_values(solved: &[(Rung, Solved)]) {
 fn cases_have_distinct_names_and_are_found_by_them() {
     for case in all() {
         assert_eq!(
-            find(case.name()).map(|found| found.name()),
+            find(case.name()).map(Case::name),
             Some(case.name())
         );
         assert!(!case.question().is_empty());

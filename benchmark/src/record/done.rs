@@ -143,7 +143,7 @@ mod tests {
 
     fn of(name: &str) -> &'static Case {
         let found = case::all().iter().find(|case| case.name() == name);
-        *found.expect("there is such a case")
+        found.expect("there is such a case")
     }
 
     /// A record of a case of which so many runs were made, the last of them failed if `fails`; its gate found 1 of `bound`.

@@ -144,7 +144,7 @@ impl Kept {
     pub fn of(record: &Record, cases: &[&'static Case], size: Size) -> Self {
         let held = cases
             .iter()
-            .filter(|case| record.case_state(**case, size) == CaseState::Held);
+            .filter(|case| record.case_state(case, size) == CaseState::Held);
         held.fold(Self::default(), |kept, case| Self {
             cases: kept.cases + 1,
             gates: kept.gates + record.gates_of(case.name()),

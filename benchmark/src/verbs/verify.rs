@@ -321,7 +321,7 @@ impl Verify {
             took: begun.elapsed(),
         };
         verdict.line(paint, out)?;
-        let missing = |case: &&&Case| record.case_state(**case, size) == CaseState::Missing;
+        let missing = |case: &&&Case| record.case_state(case, size) == CaseState::Missing;
         let incomplete = interrupt.raised() || asked.iter().any(|case| missing(&case));
         record.set_incomplete(incomplete);
         record.sort_cases(&earlier::names());

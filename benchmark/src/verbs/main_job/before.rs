@@ -7,7 +7,7 @@ use crate::record::Record;
 use crate::report::Since;
 use crate::show::comparison;
 use crate::show::paint::{Mark, Paint};
-use proctor_verification::case::{self, Case};
+use proctor_verification::case;
 use std::io::Write;
 use std::path::Path;
 
@@ -56,7 +56,7 @@ impl Before {
             return Since::by(&self.record, record, &rules);
         }
         let mut cases = record.clone();
-        let names: Vec<&str> = case::all().iter().map(|case| Case::name(*case)).collect();
+        let names: Vec<&str> = case::all().iter().map(|case| case.name()).collect();
         cases.keep_cases(&names);
         Since::by(&self.record, &cases, &rules)
     }

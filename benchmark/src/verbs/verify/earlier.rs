@@ -68,7 +68,7 @@ impl Earlier {
                     .as_ref()
                     .is_none_or(|names| names.contains(&case.name()))
             })
-            .filter(|case| states.contains(&self.record.case_state(*case, self.size)))
+            .filter(|case| states.contains(&self.record.case_state(case, self.size)))
             .collect()
     }
 
