@@ -192,10 +192,7 @@ fn errors_are_those_of_their_values(solved: &[(Rung, Solved)]) {
 #[test]
 fn cases_have_distinct_names_and_are_found_by_them() {
     for case in all() {
-        assert_eq!(
-            find(case.name()).map(Case::name),
-            Some(case.name())
-        );
+        assert_eq!(find(case.name()).map(Case::name), Some(case.name()));
         assert!(!case.question().is_empty());
     }
     assert!(find("no-such-case").is_none());
