@@ -213,10 +213,14 @@ fn other(line: &str, words: &[String], desk: &Path) -> Result<(), String> {
             "run",
             "--release",
             "--package",
-            "proctor-kernel",
+            package,
             "--example",
             name,
-        ] => exists(&format!("kernel/examples/{name}.rs")),
+        ] => {
+            let known = TESTED.iter().find(|(named, _)| *named == package);
+            let (_, folder) = known.ok_or_else(|| format!("there is no package {package}"))?;
+            exists(&format!("{folder}/examples/{name}.rs"))
+        }
         ["sed", ..] => {
             let mut shell = Command::new("sh");
             let done = shell.args(["-c", line]).current_dir(desk).status();
