@@ -87,7 +87,7 @@ pub struct Run {
     pub scene: Scene,
     /// Number of threads.
     pub threads: usize,
-    /// True where the answer is a state of rest: the run goes on until nothing moves, for at most [`LONGEST`] times the time of the scene.
+    /// True where the answer is a state of rest: the run goes on until nothing moves, for at most four times the time of the scene.
     pub to_rest: bool,
 }
 

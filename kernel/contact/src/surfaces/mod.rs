@@ -3,7 +3,6 @@
 mod error;
 mod fields;
 mod gap;
-mod light_nodes;
 mod near_particles;
 mod nodes;
 mod obstacle;
@@ -20,7 +19,6 @@ use crate::surfaces::touch::TouchedNode;
 use crate::values::{ContactValues, PairValues, RigidSurface};
 use fields::{Fields, change_velocities};
 use gap::refuse_overlap_with_surfaces;
-use light_nodes::{FollowingImpulse, LightNodes};
 use near_particles::{NearParticles, ParticlePlace};
 use obstacle::RigidObstacle;
 use proctor_geometry::memory::Memory;
@@ -61,7 +59,6 @@ pub struct SurfaceContact {
     mapped: TouchingParticles,
     /// Particles that a surface pushes in this step, by surface, set and identifier, in that order.
     pushed: Vec<PushedParticle>,
-    light: LightNodes,
     /// Impulse on each body from each surface in the last step \[N s\], and its time \[s\].
     last: Vec<Vec<Vector>>,
     last_kick: f64,
@@ -90,7 +87,6 @@ impl SurfaceContact {
             trial: TouchingParticles::default(),
             mapped: TouchingParticles::default(),
             pushed: vec![],
-            light: LightNodes::default(),
             last: zero.clone(),
             last_kick: 0.0,
             total: zero,
@@ -320,32 +316,6 @@ impl SurfaceContact {
                 self.last[place.surface][place.set][axis] += impulse[axis];
             }
         }
-        let fields = Fields::of_step(&view);
-        let line = |t: &TouchedNode| &fields.lines(t.field)[t.node];
-        let (mut friction, mut impact) = (0.0, 0.0);
-        for touch in &touches.list {
-            let [across, along] = touches.taken(touch, line);
-            friction += across;
-            impact += along;
-        }
-        let velocities = |t: &TouchedNode| {
-            let line = line(t);
-            [1, 4].map(|lane| std::array::from_fn(|axis| line[lane + axis]))
-        };
-        let now = &self.near.now;
-        let of_surfaces = places.iter().map(|place| now[place.surface].velocity);
-        let last = &mut self.last;
-        let give = |one: FollowingImpulse| {
-            let place = &places[one.touch];
-            let v_s = now[place.surface].velocity;
-            for axis in 0..3 {
-                last[place.surface][place.set][axis] += one.impulse[axis];
-                impact -= one.impulse[axis] * (one.mean[axis] - v_s[axis]);
-            }
-        };
-        if goes_on(view.settings) {
-            light_nodes::follow(touches, &mut self.light, velocities, of_surfaces, give);
-        }
         let mut power = 0.0;
         for surface in 0..self.last.len() {
             let v = self.near.now[surface].velocity;
@@ -356,6 +326,14 @@ impl SurfaceContact {
                     power += impulse * v[axis] / nodal.kick;
                 }
             }
+        }
+        let fields = Fields::of_step(&view);
+        let line = |t: &TouchedNode| &fields.lines(t.field)[t.node];
+        let (mut friction, mut impact) = (0.0, 0.0);
+        for touch in &touches.list {
+            let [across, along] = touches.taken(touch, line);
+            friction += across;
+            impact += along;
         }
         update.sums.damping += damping;
         update.sums.friction += friction;

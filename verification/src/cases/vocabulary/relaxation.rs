@@ -67,7 +67,7 @@ impl Run<'_> {
     /// Relaxes a body of a length \[m\] until the unbalanced force is at most `tolerance` times `load` \[N\].
     ///
     /// # Errors
-    /// As [`relax`].
+    /// A step that fails, and a body that is not at rest after the steps that it has.
     pub fn relax(&mut self, load: f64, tolerance: f64, length: f64) -> Result<(), Failure> {
         let most = most_steps(self.settings, length / self.rung.cell);
         self.residual = relax(self.simulation, load, tolerance, most, self.observer)?;

@@ -168,7 +168,7 @@ impl Run<'_> {
     /// Does all steps of a scene with equal ones.
     ///
     /// # Errors
-    /// As [`step`].
+    /// A step that fails, and an observer that stops the run.
     pub fn advance(&mut self) -> Result<(), Failure> {
         let steps = self.equal_steps();
         advance(self.simulation, steps, self.observer)
@@ -186,7 +186,7 @@ impl Run<'_> {
         self.simulation.sets()[0].stress(particle)
     }
 
-    /// As [`errors`].
+    /// Errors of displacement and stress of the first body against exact fields, over their norms.
     pub fn errors(
         &self,
         displacement: impl Fn([f64; 3]) -> [f64; 3],
@@ -195,7 +195,7 @@ impl Run<'_> {
         errors(self.simulation, displacement, stress)
     }
 
-    /// As [`along`].
+    /// A curve of the first body along an axis, with the exact one.
     pub fn along(
         &self,
         axis: usize,
