@@ -75,6 +75,7 @@ frame.onload = () => {
       title: svg?.querySelector(":scope > title")?.textContent ?? "",
       width: box?.width ?? 0, height: box?.height ?? 0,
       points: svg?.querySelectorAll(".point").length ?? 0,
+      curves: svg?.querySelectorAll("path.line:not([stroke-dasharray='5 3'])").length ?? 0,
       table: !!figure.querySelector("table"),
       smallest_text: font.length ? Math.min(...font) : null,
     };
@@ -145,8 +146,8 @@ def look(path, report, width, folder):
             faults.append(f"{name}: no title or no caption")
         if figure["width"] < 100 or figure["height"] < 60:
             faults.append(f"{name}: {figure['width']} x {figure['height']} pixels")
-        if not figure["points"]:
-            faults.append(f"{name}: no points")
+        if not figure["points"] and not figure["curves"]:
+            faults.append(f"{name}: no points and no curve")
         if not figure["table"]:
             faults.append(f"{name}: no table beside it")
         if figure["smallest_text"] and figure["smallest_text"] < 8:
