@@ -43,9 +43,9 @@ pub struct Series {
     pub values: Vec<Option<f64>>,
 }
 
-/// Name of a median time on the processors [s], of runs with one thread.
+/// Name of a median time on the processors \[s\], of runs with one thread.
 pub const CPU: &str = "cpu_seconds";
-/// Name of a median time by the clock [s], of other runs.
+/// Name of a median time by the clock \[s\], of other runs.
 pub const CLOCK: &str = "clock_seconds";
 
 /// Relative errors, and what gates compare, are round-off where they differ by no more.

@@ -22,7 +22,7 @@ use std::collections::BTreeMap;
 
 /// Passes without which nothing is said of noise.
 pub const PASSES: usize = 3;
-/// Pairs without which time is not judged: with fewer the signed ranks cannot be as unlikely as [`NEARLY_ALL`] asks, even if
+/// Pairs without which time is not judged: with fewer the signed ranks cannot be as unlikely as the judge asks, even if
 /// all of them say the same.
 pub const LEAST: usize = 10;
 /// Smallest relative change of time that is one.
