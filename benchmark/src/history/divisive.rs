@@ -271,7 +271,7 @@ mod tests {
         assert_eq!(t_test(&[1.0, 1.0], &[2.0]), 0.0);
     }
 
-    /// How many changes are found that there are not; every one that there is is found, to a place.
+    /// Number of false change points; every true one is found, to a place.
     fn false_alarms(levels: &[(usize, f64)], count: usize, half: f64) -> usize {
         let one = |seed: u128| {
             let values = noisy(levels, count, half, seed);

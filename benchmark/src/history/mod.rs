@@ -1,6 +1,6 @@
 //! Records over commits: how each number went, and where it changed.
 //!
-//! What is computed is the same bit by bit until somebody changes the program, so that every other value is a change point.
+//! Results are the same bit by bit until somebody changes the program, so that every other value is a change point.
 //! Times are noisy: their change points are those of [`divisive`].
 
 pub mod divisive;
@@ -35,7 +35,7 @@ pub struct Series {
     pub case: CaseKey,
     /// Its key in the rows, or [`CPU`] or [`CLOCK`].
     pub number: String,
-    /// What it stands for; a time is [`Meaning::Information`].
+    /// Its meaning; a time is [`Meaning::Information`].
     pub meaning: Meaning,
     /// Which way is better.
     pub better: Better,
@@ -62,7 +62,7 @@ pub struct ChangePoint {
     pub before: f64,
     /// Value after it.
     pub after: f64,
-    /// How much worse it became, over what it was; negative where it is better.
+    /// Relative loss; negative where it is better.
     pub loss: f64,
     /// Which way it went.
     pub moved: Moved,
@@ -93,7 +93,7 @@ impl Series {
         }
     }
 
-    /// Whether its values are noisy.
+    /// True if its values are noisy.
     #[must_use]
     pub fn is_time(&self) -> bool {
         self.number == CPU || self.number == CLOCK
@@ -198,7 +198,7 @@ impl Builder {
         }
     }
 
-    /// Whether there is no record yet.
+    /// True if there is no record yet.
     pub fn is_empty(&self) -> bool {
         self.history.points.is_empty()
     }

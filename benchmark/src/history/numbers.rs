@@ -17,7 +17,7 @@ use std::fmt;
 pub struct Number {
     /// Its key.
     pub key: String,
-    /// What it stands for.
+    /// Its meaning.
     pub meaning: Meaning,
     /// Which way is better.
     pub better: Better,
@@ -63,7 +63,7 @@ struct File {
     _details: IgnoredAny,
 }
 
-/// What is read of a row.
+/// The part of a row that is read.
 #[derive(Default)]
 struct Row {
     name: String,

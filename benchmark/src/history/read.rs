@@ -209,7 +209,7 @@ impl Blobs {
         })
     }
 
-    /// What stands under a name; none where there is nothing.
+    /// The value of a name; none where there is nothing.
     fn read(&mut self, name: &str) -> std::io::Result<Option<Vec<u8>>> {
         let input = self
             .input

@@ -139,7 +139,7 @@ pub enum Moved {
 pub struct Change {
     /// Its key: that of a counter or label, [`CASE`] or [`FAILURE`].
     pub number: String,
-    /// What it stands for.
+    /// Its meaning.
     pub meaning: Meaning,
     /// Which way is better.
     pub better: Better,
@@ -269,7 +269,7 @@ pub fn compare(base: &Series, head: &Series) -> Vec<Change> {
     changes
 }
 
-/// How the verdict of a bar moved: to `asymptotic` is better, from it worse, all else neither.
+/// Change of the verdict of a bar: to `asymptotic` is better, from it worse, all else neither.
 fn settled(before: &str, after: &str) -> Moved {
     let asymptotic = proctor_verification::refine::Verdict::Asymptotic.word();
     match (before == asymptotic, after == asymptotic) {

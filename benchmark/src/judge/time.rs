@@ -20,7 +20,7 @@ use crate::statistics::{mann_whitney, median, ratio_interval, signed_rank};
 use oorandom::Rand64;
 use std::collections::BTreeMap;
 
-/// Passes without which nothing is said of noise.
+/// Fewest passes from which noise is estimated.
 pub const PASSES: usize = 3;
 /// Pairs without which time is not judged: with fewer the signed ranks cannot be as unlikely as the judge asks, even if
 /// all of them say the same.

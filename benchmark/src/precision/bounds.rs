@@ -9,7 +9,7 @@ use std::str::FromStr;
 
 /// Least bound of a case of which none is given.
 const LEAST: f64 = 0.01;
-/// How many times the error of this program's own process on the same meshes another solver may have where no bound is given.
+/// Default bound of another solver, in errors of this program's own process on the same meshes.
 const TIMES_OWN: f64 = 2.0;
 
 /// A bound that a user gives: `case=2%`, or `case=0.02`.

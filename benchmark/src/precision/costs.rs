@@ -1,4 +1,4 @@
-//! What each accuracy costs, as the rows of a record tell it: the page and the terminal take their numbers from here.
+//! Cost of each accuracy, from the rows of a record: the page and the terminal take their numbers from here.
 
 use super::findings::LEVELS;
 use crate::record::{Kind, Record};
@@ -12,7 +12,7 @@ const COST: &str = "cost_";
 /// Label of the rows of another solver.
 const SOLVER: &str = "executable";
 
-/// What the lines of one error of a case cost.
+/// Costs of the lines of one error of a case.
 pub struct Costs {
     /// Name of the case.
     pub case: String,
@@ -86,7 +86,7 @@ impl Costs {
             .min_by(|(_, a), (_, b)| a.total_cmp(b))
     }
 
-    /// How many times as fast as the default the cheapest method is; none where the default does not reach the level.
+    /// Speed of the cheapest method over that of the default; none where the default does not reach the level.
     #[must_use]
     pub fn factor(&self, level: usize) -> Option<f64> {
         let default = Method::DEFAULT.to_string();

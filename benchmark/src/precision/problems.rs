@@ -20,7 +20,7 @@ const CALIBRATED: Calibration = Calibration {
 /// README. The folders, in the order of the cases.
 ///
 /// # Errors
-/// What cannot be written, or why this program cannot run a scene to say where its particles begin.
+/// A file that cannot be written, or the reason for which this program cannot run a scene to say where its particles begin.
 pub fn write(folder: &Path, stop: &AtomicBool) -> Result<Vec<PathBuf>, String> {
     let own = own().ok_or("this program does not know its own file")?;
     let desk = tempfile::TempDir::new().map_err(|error| error.to_string())?;

@@ -55,9 +55,9 @@ pub struct CaseDetail {
 /// A bound, and what was found.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct GateDetail {
-    /// What is bounded.
+    /// The bounded quantity.
     pub name: String,
-    /// What was found; none where it could not be computed.
+    /// The value; none where it could not be computed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub value: Option<f64>,
     /// `at most` or `at least`.
@@ -74,7 +74,7 @@ pub struct GateDetail {
 pub const NEAR: f64 = 0.95;
 
 impl GateDetail {
-    /// Whether the gate holds and uses up nearly all of its bound.
+    /// True if the gate holds and uses up nearly all of its bound.
     #[must_use]
     pub fn is_near(&self) -> bool {
         self.passed && self.used() >= NEAR

@@ -9,9 +9,9 @@ use proctor_verification::case::Relation;
 pub struct GateRow<'a> {
     /// The case, or the scene, that it belongs to.
     pub case: &'a str,
-    /// What is bounded.
+    /// The bounded quantity.
     pub name: &'a str,
-    /// What was found; none where it could not be computed.
+    /// The value; none where it could not be computed.
     pub value: Option<f64>,
     /// The bound; none in a row that lacks it.
     pub bound: Option<f64>,
@@ -39,7 +39,7 @@ impl<'a> GateRow<'a> {
         })
     }
 
-    /// Whether the value keeps the bound; a gate without either does not hold.
+    /// True if the value keeps the bound; a gate without either does not hold.
     #[must_use]
     pub fn holds(&self) -> bool {
         match (self.value, self.bound) {

@@ -11,7 +11,7 @@ pub enum Meaning {
     Order,
     /// Half-width of the bar of a refined quantity (`uncertainty_…`): less is better.
     Uncertainty,
-    /// How a refined quantity settles (the label `verdict` of a bar): what leaves `asymptotic` is worse.
+    /// Convergence of a refined quantity (the label `verdict` of a bar): a quantity that leaves `asymptotic` is worse.
     Settling,
     /// What should be zero and has no scale to be relative to (`balance_…`): less is better.
     Balance,

@@ -11,7 +11,7 @@ use std::fmt::Write as _;
 /// Gates that do not hold and are listed; the page has all.
 const LISTED: usize = 20;
 
-/// How a record ended.
+/// End of a record: finished, failed or interrupted.
 struct State<'a> {
     gates: Vec<GateRow<'a>>,
     failed_runs: usize,

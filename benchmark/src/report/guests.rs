@@ -24,7 +24,7 @@ pub fn headline(record: &Record) -> Option<[String; 2]> {
     })
 }
 
-/// Whether a bound does not hold, or a run failed.
+/// True if a bound does not hold, or a run failed.
 #[must_use]
 pub fn failing(record: &Record) -> bool {
     let failed = |row: &Row| row.labels.contains_key("executable") && row.error.is_some();

@@ -1,4 +1,4 @@
-//! How the numbers of earlier records went, where a history was given.
+//! Course of the numbers over earlier records, where a history was given.
 
 use super::html::{Pictures, Section, Table, folded, paragraph};
 use crate::history::History;

@@ -223,7 +223,7 @@ fn ratio(ratio: f64) -> String {
     }
 }
 
-/// What changed, in a word and a sentence, and its look: none, `near` or `bad`.
+/// The changes, in a word and a sentence, and their look: none, `near` or `bad`.
 #[must_use]
 pub fn headline(since: Option<&Since<'_>>) -> ([String; 2], &'static str) {
     let Some(since) = since else {

@@ -71,7 +71,7 @@ impl Speed {
         threads(self.threads)
     }
 
-    /// What arithmetic and memory would take alone, each with its name, its share of the time, and that share of the processor
+    /// Times that arithmetic and memory would take alone, each with its name, its share of the time, and that share of the processor
     /// time \[ns per particle and step\].
     fn floors(&self) -> Vec<(&'static str, f64, f64)> {
         let floor = |(name, share): (&'static str, &Option<f64>)| {

@@ -91,7 +91,7 @@ fn of_bars(record: &Record) -> String {
     record.details.refined.iter().map(of).collect()
 }
 
-/// What was measured, in numbers.
+/// Numbers of the runs and cases that were measured.
 fn measured(record: &Record) -> String {
     let is_run = |row: &&Row| matches!(row.kind, Kind::Sample { .. }) && row.error.is_none();
     let runs = record.rows.iter().filter(is_run).count();

@@ -77,7 +77,7 @@ fn judge(case: &str, gates: &mut [GateDetail], rows: &BTreeMap<(&str, &str), Gat
     }
 }
 
-/// What the rows tell of a case without details.
+/// A case without details, from its rows.
 fn of_rows(record: &Record, name: &str) -> CaseDetail {
     let known = case::all().iter().find(|case| case.name() == name);
     let mut quantities: Vec<[String; 2]> = vec![];

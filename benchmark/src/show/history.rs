@@ -20,7 +20,7 @@ const NAME: usize = 46;
 /// Characters of a commit.
 const COMMIT: usize = 10;
 
-/// How many numbers changed at a record, and which way.
+/// Number of values that changed at a record, and their direction.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Tally {
     /// Computed numbers and times that became worse.
@@ -50,7 +50,7 @@ impl Tally {
         all
     }
 
-    /// Whether nothing changed.
+    /// True if nothing changed.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         *self == Self::default()
@@ -73,7 +73,7 @@ pub fn day(point: &Point) -> String {
     point.date.chars().take("2026-01-01".len()).collect()
 }
 
-/// What a number is worth, in its unit.
+/// Value of a number, in its unit.
 #[must_use]
 pub fn written(series: &Series, value: f64) -> String {
     match series.meaning {
@@ -83,7 +83,7 @@ pub fn written(series: &Series, value: f64) -> String {
     }
 }
 
-/// How much worse or better, in per cent or as a factor.
+/// Size of the change, in per cent or as a factor.
 #[must_use]
 pub fn change(change: &ChangePoint) -> String {
     let ratio = change.after / change.before;
@@ -103,7 +103,7 @@ pub fn change(change: &ChangePoint) -> String {
 pub struct Largest {
     /// The largest of them.
     pub change: ChangePoint,
-    /// How many others there are.
+    /// Number of others.
     pub others: usize,
 }
 
@@ -244,7 +244,7 @@ fn line(history: &History, found: &Largest, out: &mut dyn Write) -> io::Result<(
     writeln!(out, "          {}  {subject}", short(point))
 }
 
-/// What was read.
+/// The values that were read.
 fn heading(history: &History, out: &mut dyn Write) -> io::Result<()> {
     let times = history
         .series

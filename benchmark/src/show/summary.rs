@@ -162,7 +162,7 @@ pub struct Verdict<'a> {
     pub asked: usize,
     /// What else failed, by name.
     pub also_failed: &'a [&'static str],
-    /// Whether something is worse than in the record that it was compared with.
+    /// True if something is worse than in the record that it was compared with.
     pub worse: bool,
     /// Whether the user stopped it.
     pub interrupted: bool,
@@ -173,7 +173,7 @@ pub struct Verdict<'a> {
 }
 
 impl Verdict<'_> {
-    /// Whether all that was run holds, and nothing is worse than before.
+    /// True if all that was run holds, and nothing is worse than before.
     #[must_use]
     pub fn held(&self) -> bool {
         self.passed() && !self.worse

@@ -384,7 +384,7 @@ fn a_configuration_without_executables_is_bad_input() {
     }
 }
 
-/// What an export of a record gives.
+/// Formats of an export of a record.
 fn export(format: &str, record: &str) -> String {
     let output = proctor(&["export", "--format", format, record]);
     assert_eq!(code(&output), 0, "{}", stderr(&output));

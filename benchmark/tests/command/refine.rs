@@ -112,7 +112,7 @@ fn a_record_holds_runs_bars_and_curves() {
     assert!(page.contains("Error bars of scenes"));
     let same = proctor(&["compare", &json, &json]);
     assert_eq!(code(&same), 0, "{}{}", stdout(&same), stderr(&same));
-    // A value that moved is told in bars; a bar that is wider, and a verdict that is lost, are worse.
+    // A value that moved is given in bars; a bar that is wider, and a verdict that is lost, are worse.
     let moved = bar["value_tip_uy"].as_f64().expect("a value") + 1e-4;
     for (from, to, told) in [
         ("value_tip_uy", json!(moved), "of the bar"),

@@ -172,7 +172,7 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
     Ok(Found::new(quantities, Some(curve)))
 }
 
-/// What is lost and gained, for the record.
+/// Losses and gains, for the record.
 fn lines(runs: &Runs<'_>) -> Verdict {
     let mut verdict = Verdict::default();
     for rung in runs.rungs {

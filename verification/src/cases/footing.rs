@@ -211,7 +211,7 @@ fn exact_load(reference: Reference, rung: &Rung) -> f64 {
     .bearing()
 }
 
-/// What was found does not depend on the reference, but for the exact value beside it.
+/// Results do not depend on the reference, but for the exact value beside them.
 fn refer(rung: &Rung, reference: Reference, solved: &mut Solved) {
     for q in &mut solved.quantities {
         if let Some(exact) = q.exact.as_mut() {

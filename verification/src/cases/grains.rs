@@ -104,7 +104,7 @@ fn rungs(size: Size) -> Vec<Rung> {
     vec![Rung::labelled(format!("{variant} h={cell}"), variant, cell)]
 }
 
-/// What nothing exact is known of.
+/// Quantities without an exact value.
 fn lines(runs: &Runs<'_>) -> Verdict {
     Verdict {
         for_the_record: runs.solved

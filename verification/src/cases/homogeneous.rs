@@ -271,7 +271,7 @@ fn keep(most: &mut f64, off: f64) {
     }
 }
 
-/// Whether the law of a gate dilates.
+/// True if the law of a gate dilates.
 fn dilates(gate: &str) -> bool {
     gate.contains("Mohr") || gate.contains("Drucker")
 }

@@ -271,7 +271,7 @@ fn quantities(track: &Track, moved: f64, problem: &Problem, height: f64) -> Vec<
     ]
 }
 
-/// What finite elements of the same size make of a flat block that walks.
+/// Creep of a flat block in finite elements of the same size.
 fn by_elements(rung: &Rung, problem: &Problem) -> Option<Slid> {
     let (Kind::Walk(damping), Dimension::Two) = (problem.kind, problem.dimension) else {
         return None;

@@ -124,7 +124,7 @@ impl Variant {
         })
     }
 
-    /// How all nodes move.
+    /// Motion of all nodes.
     fn motion(self, rung: &Rung, dt: f64) -> Driven {
         let lower = self.lower(rung.cell);
         if self.turns {

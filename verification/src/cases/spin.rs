@@ -217,7 +217,7 @@ pub static SPIN: Case = Case::new(
     "all nodes move as prescribed, so that weighting functions, schemes and transfers have no say",
 );
 
-/// How all nodes move.
+/// Motion of all nodes.
 fn motion(reference: Reference, rung: &Rung) -> Driven {
     let (variant, dt) = (*rung.problem::<Variant>(), time_step(rung));
     let [lower, upper] = variant.corners(rung.cell);

@@ -210,7 +210,7 @@ fn pressed(
     Ok(Found::new(quantities, curve))
 }
 
-/// How far from the loaded end the stress is a third of the pressure \[m\]: a front that dispersion of third order has
+/// Distance from the loaded end at which the stress is a third of the pressure \[m\]: a front that dispersion of third order has
 /// spread is an integral of Airy's function, which has a third of its jump where the front would be.
 fn way_of_the_front(simulation: &Simulation) -> Result<f64, Failure> {
     let set = &simulation.sets()[0];

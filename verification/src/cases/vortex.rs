@@ -104,7 +104,7 @@ const fn bound(falls: i32, reason: &'static str) -> GateRule {
     )
 }
 
-/// What stalls needs fine meshes to show it.
+/// An error that stalls needs fine meshes to show it.
 fn rungs(size: Size) -> Vec<Rung> {
     let full: &[u32] = &[8, 16, 32];
     let counts: [(&'static str, &[u32]); 4] = match size {

@@ -13,7 +13,7 @@ const OUTPUTS: [(&str, &str); 2] = [
 /// Lines of each that a message shows: the last ones, or where some speak of an error, those.
 const LINES: usize = 4;
 const ERRORS: usize = 10;
-/// What such lines speak of.
+/// Subject of such lines.
 const WORDS: [&str; 4] = ["error", "fatal", "exception", "panicked"];
 /// Bytes of the end of a file that are looked at, and letters of a line that are shown.
 const END: u64 = 65536;

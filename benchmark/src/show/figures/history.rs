@@ -40,7 +40,7 @@ pub fn all(history: &History) -> Vec<(String, Figure)> {
 /// A way in which numbers changed: its word, its look, and how many of a record did.
 type Kind = (&'static str, Colour, Mark, fn(&Tally) -> usize);
 
-/// How many numbers became worse and better at each record.
+/// Numbers of values that became worse and better at each record.
 fn overview(history: &History, changes: &[ChangePoint]) -> Figure {
     let tallies = Tally::of(history, changes);
     let kinds: [Kind; 4] = [

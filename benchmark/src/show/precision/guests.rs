@@ -47,7 +47,7 @@ pub fn list(studies: &[Study], out: &mut dyn Write) -> io::Result<()> {
     Ok(())
 }
 
-/// What a scene needs of a solver, in the words of the manuals.
+/// Features that a scene needs of a solver, in the words of the manuals.
 fn needs(scene: &Scene) -> Vec<String> {
     let mut needs = vec![format!("{}D", scene.dimension.axes())];
     let mut add = |is: bool, what: &str| {
@@ -71,7 +71,7 @@ fn needs(scene: &Scene) -> Vec<String> {
     needs
 }
 
-/// What bounds other solvers keep; whether all of them hold.
+/// Bounds that other solvers keep; true if all of them hold.
 ///
 /// # Errors
 /// If `out` cannot be written.

@@ -1,4 +1,4 @@
-//! What the main job compares itself with: its last record in this folder, else the record that is kept with the sources.
+//! Base of the main job's comparison: its last record in this folder, else the record that is kept with the sources.
 
 use crate::exit::Failure;
 use crate::judge::ledger::Ledger;
@@ -61,7 +61,7 @@ impl Before {
         Since::by(&self.record, &cases, &rules)
     }
 
-    /// What changed since, in a line.
+    /// Changes since, in a line.
     pub fn tell(
         &self,
         since: &Since<'_>,
