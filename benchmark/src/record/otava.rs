@@ -49,7 +49,7 @@ fn whole(history: &History) -> impl Iterator<Item = &Series> {
 #[must_use]
 pub fn configuration(history: &History, file: &str) -> String {
     let mut yaml = format!(
-        "# otava --config-file THIS analyze proctor\ntests:\n  proctor:\n    type: csv\n    file: {}\n    \
+        "# OTAVA_CONFIG=THIS otava analyze proctor\ntests:\n  proctor:\n    type: csv\n    file: {}\n    \
          time_column: {TIME}\n    attributes: [{COMMIT}]\n    metrics:\n",
         quoted(file)
     );
