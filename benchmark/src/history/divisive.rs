@@ -146,8 +146,8 @@ impl Distances {
         self.before[to * self.count + j] - self.before[from * self.count + j]
     }
 
-    /// The split of a stretch with the largest energy distance between what is before it and what is between it and any
-    /// later end; none of fewer than two values or of values that are all equal.
+    /// Split of a stretch with the largest energy distance between the values before it and the values from it to a later
+    /// end; none for fewer than two values, or where all are equal.
     fn best(&self, from: usize, to: usize) -> Option<Candidate> {
         let mut best: Option<Candidate> = None;
         let mut left = 0.0;

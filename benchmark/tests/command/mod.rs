@@ -13,6 +13,7 @@ mod energy;
 mod folder;
 mod generated;
 #[cfg(unix)]
+mod guest_bounds;
 mod guests;
 mod history;
 mod keys;

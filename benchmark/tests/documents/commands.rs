@@ -62,7 +62,7 @@ fn how(arguments: &[&str]) -> How {
             How::Instead(&["plan", "fixtures/scenes/speed/block_1m.json"])
         }
         ["export", "--format", "problems", ..] => {
-            How::NotRun("it runs every open case; tests/command/guests.rs judges frames")
+            How::NotRun("it runs every open case; tests/command/guest_bounds.rs judges frames")
         }
         ["history", rest @ ..] if rest.contains(&"--git") => {
             How::Instead(&["history", "record.json"])

@@ -7,7 +7,7 @@ use super::super::number;
 use crate::refine::judge::{Judged, Refined};
 use crate::refine::work::Runs;
 
-/// Colour of what is claimed, and of what is not.
+/// Colours of values with a claimed bar and without one.
 const CLAIMED: Colour = Colour::Hue(0);
 const NOT_CLAIMED: Colour = Colour::Hue(6);
 /// Colour of the extrapolated value, and of the moved meshes.
