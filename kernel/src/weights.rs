@@ -227,6 +227,17 @@ fn closed<L: Lanes, const N: usize>(w_0: L, w_2: L, g_0: L, g_2: L) -> ([L; N], 
     (w, g)
 }
 
+/// What gradients of least squares have in the place of derivatives d/dxi of quadratic B-splines: weight times distance over
+/// `D_p`, which is 1/4 in cells, at the nodes of an axis (Hu et al. 2018, eq. 18).
+#[inline(always)]
+pub fn least_squares_weights<L: Lanes, const N: usize>(f: L, w: &[L; N]) -> [L; N] {
+    let mut g = *w;
+    for n in 0..N {
+        g[n] = w[n] * (L::splat(4.0) * (L::splat(n as f64) - f));
+    }
+    g
+}
+
 /// Weights of the mean of a linear field over the cells in which a particle domain lies, from the derivatives d/dxi of its
 /// weights along the axis: half of the part of the domain in the cell below a node, and half of that in the cell above.
 ///

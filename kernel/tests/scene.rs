@@ -120,7 +120,12 @@ fn methods_stand_in_their_lists() {
         assert_eq!(weighting::ALL.iter().filter(same_name).count(), 1);
         assert_eq!(one.kind().update.is_some(), one.domain_update().is_some());
     }
-    let transfers = [TransferKind::Flip, TransferKind::Apic, TransferKind::Tpic];
+    let transfers = [
+        TransferKind::Flip,
+        TransferKind::Apic,
+        TransferKind::Tpic,
+        TransferKind::Mls,
+    ];
     assert_eq!(transfers::ALL.len(), transfers.len());
     for one in transfers {
         assert_eq!(one.kind().transfer, one);

@@ -59,6 +59,12 @@ impl Method {
         self.transfer.kind().word
     }
 
+    /// Whether weighting function and transfer go together.
+    #[must_use]
+    pub fn goes_together(self) -> bool {
+        !self.transfer.kind().least_squares || self.weighting == Weighting::QuadraticBSpline
+    }
+
     /// Whether the kernel knows a time step that is safe for every body.
     #[must_use]
     pub fn has_safe_step(self) -> bool {

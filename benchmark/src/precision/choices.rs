@@ -116,8 +116,12 @@ pub const WEIGHTINGS: [Weighting; 5] = [
 /// Stress schemes in the order of their marks.
 pub const SCHEMES: [StressScheme; 3] = [StressScheme::Usl, StressScheme::Musl, StressScheme::Usf];
 /// Transfers in the order of their strokes.
-pub const TRANSFERS: [TransferKind; 3] =
-    [TransferKind::Flip, TransferKind::Apic, TransferKind::Tpic];
+pub const TRANSFERS: [TransferKind; 4] = [
+    TransferKind::Flip,
+    TransferKind::Apic,
+    TransferKind::Tpic,
+    TransferKind::Mls,
+];
 
 /// All methods; for a short study those that a user is likely to choose between.
 fn methods(size: Size) -> Vec<Method> {
@@ -125,18 +129,21 @@ fn methods(size: Size) -> Vec<Method> {
     for weighting in WEIGHTINGS {
         for scheme in SCHEMES {
             for transfer in TRANSFERS {
-                methods.push(Method {
+                let method = Method {
                     weighting,
                     scheme,
                     transfer,
-                });
+                };
+                if method.goes_together() {
+                    methods.push(method);
+                }
             }
         }
     }
     if size == Size::Quick {
         methods.retain(|m| {
             m.scheme != StressScheme::Usf
-                && m.transfer != TransferKind::Tpic
+                && !matches!(m.transfer, TransferKind::Tpic | TransferKind::Mls)
                 && m.weighting != Weighting::ContiguousGimp(DomainUpdate::Determinant)
                 && (m.transfer == TransferKind::Flip
                     || (m.scheme == StressScheme::Musl && m.weighting != Weighting::Linear))

@@ -3,6 +3,7 @@
 use super::tensor::{Matrix, inner};
 use super::{Constant, Increment, Isotropic, Law, Particle, Readable};
 use proctor_kernel::lanes::Lanes;
+use proctor_kernel::lanes::functions::ln;
 
 /// Compressible neo-Hookean elasticity: sigma = (mu (F F^T - 1) + lambda ln J 1) / J.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,8 +63,9 @@ impl Law for NeoHookean {
         _: &mut [L],
     ) -> L {
         let (f, j) = (&increment.deformation, increment.jacobian);
-        *stress = stress_of::<L, D>(self, f, j);
-        speed_squared::<L, D>(self, f, j, increment.density)
+        let ln_j = ln(j);
+        *stress = stress_of::<L, D>(self, f, (j, ln_j));
+        speed_squared::<L, D>(self, f, ln_j, increment.density)
     }
 
     #[inline]
@@ -86,12 +88,16 @@ impl Readable for NeoHookean {
 
 /// Stress of the neo-Hookean law, sigma = (mu (F F^T - 1) + lambda ln J 1)/J, plane strain in 2D.
 #[inline(always)]
-fn stress_of<L: Lanes, const D: usize>(law: &NeoHookean, f: &Matrix<L>, j: L) -> [L; 6] {
+fn stress_of<L: Lanes, const D: usize>(
+    law: &NeoHookean,
+    f: &Matrix<L>,
+    (j, ln_j): (L, L),
+) -> [L; 6] {
     let zero = L::splat(0.0);
     let mut out = [zero; 6];
     let r = L::splat(1.0) / j;
     let mu = L::splat(law.elasticity.shear) * r;
-    let volumetric = L::splat(law.elasticity.lambda) * j.map(libm::log) * r - mu;
+    let volumetric = L::splat(law.elasticity.lambda) * ln_j * r - mu;
     out[0] = mu.mul_add(inner::<L, D>(&f[0], &f[0]), volumetric);
     out[1] = mu.mul_add(inner::<L, D>(&f[1], &f[1]), volumetric);
     if D == 2 {
@@ -115,7 +121,7 @@ fn stress_of<L: Lanes, const D: usize>(law: &NeoHookean, f: &Matrix<L>, j: L) ->
 fn speed_squared<L: Lanes, const D: usize>(
     law: &NeoHookean,
     f: &Matrix<L>,
-    j: L,
+    ln_j: L,
     density: f64,
 ) -> L {
     let mut trace = L::splat(0.0);
@@ -139,6 +145,6 @@ fn speed_squared<L: Lanes, const D: usize>(
         L::splat(law.elasticity.shear),
         L::splat(law.elasticity.lambda),
     );
-    let longitudinal = (lambda * (L::splat(1.0) - j.map(libm::log)) + mu).max(L::splat(0.0));
+    let longitudinal = (lambda * (L::splat(1.0) - ln_j) + mu).max(L::splat(0.0));
     mu.mul_add(largest, longitudinal) / L::splat(density)
 }

@@ -27,7 +27,6 @@ pub fn exp<L: Lanes>(x: L) -> L {
     const HIGH: f64 = 0.693_147_180_369_123_8;
     const LOW: f64 = 1.908_214_929_270_587_7e-10;
     const TERMS: usize = 14;
-    let (zero, one) = (L::splat(0.0), L::splat(1.0));
     // The second operand is taken where a comparison is false, and so a NaN is.
     let x = L::splat(LARGEST_EXPONENT).min(L::splat(-LARGEST_EXPONENT).max(x));
     let n = x
@@ -38,21 +37,7 @@ pub fn exp<L: Lanes>(x: L) -> L {
     for i in (0..TERMS - 1).rev() {
         sum = sum.mul_add(r, L::splat(INVERSE_FACTORIALS[i]));
     }
-    // Times 2^n, bit by bit of |n| < 1024.
-    let negative = n.lt(zero);
-    let mut rest = n.abs();
-    let mut bit = 512.0;
-    for power in POWERS {
-        let (bit_of_all, power) = (
-            L::splat(bit),
-            L::select(negative, L::splat(1.0 / power), L::splat(power)),
-        );
-        let is_less = rest.lt(bit_of_all);
-        sum = sum * L::select(is_less, one, power);
-        rest = rest - L::select(is_less, zero, bit_of_all);
-        bit *= 0.5;
-    }
-    sum
+    sum * n.power_of_two()
 }
 
 /// 2^512, 2^256, ... 2^1.
@@ -93,18 +78,8 @@ pub fn ln<L: Lanes>(x: L) -> L {
     let (zero, one, half) = (L::splat(0.0), L::splat(1.0), L::splat(0.5));
     // The second operand is taken where a comparison is false, and so a NaN is.
     let x = L::splat(f64::MAX).min(L::splat(f64::MIN_POSITIVE).max(x));
-    // x = 2^n m, bit by bit of |n|: m from 1 to 2, and then from sqrt(1/2) to sqrt(2).
-    let (mut m, mut n) = (x, zero);
-    let mut bit = 512.0;
-    for power in POWERS {
-        let is_less = m.lt(L::splat(power));
-        m = m * L::select(is_less, one, L::splat(1.0 / power));
-        n = n + L::select(is_less, zero, L::splat(bit));
-        let is_small = m.lt(L::splat(2.0 / power));
-        m = m * L::select(is_small, L::splat(power), one);
-        n = n - L::select(is_small, L::splat(bit), zero);
-        bit *= 0.5;
-    }
+    // x = 2^n m with m from 1 to 2, and then from sqrt(1/2) to sqrt(2).
+    let (mut m, mut n) = x.mantissa_and_exponent();
     let is_high = L::splat(std::f64::consts::SQRT_2).lt(m);
     m = m * L::select(is_high, half, one);
     n = n + L::select(is_high, one, zero);
@@ -118,7 +93,8 @@ pub fn ln<L: Lanes>(x: L) -> L {
     // m - 1 is exact near 1, where it is the larger part: ln m = (m - 1) - z ((m - 1) - z² sum).
     let excess = m - one;
     let rest = z * (excess - square * sum);
-    n.mul_add(L::splat(HIGH), excess - (rest - n * L::splat(LOW)))
+    let ln = n.mul_add(L::splat(HIGH), excess - (rest - n * L::splat(LOW)));
+    L::select(x.eq(x), ln, x)
 }
 
 /// Cube root, rounded as the exact one is but for a number in 2^50 or so, of which the exact root lies next to the middle of

@@ -60,6 +60,10 @@ pub trait Lanes:
     fn floor(self) -> Self;
     /// Square root.
     fn sqrt(self) -> Self;
+    /// Mantissa from 1 to 2 and exponent of 2 of a positive number of full precision, both exact.
+    fn mantissa_and_exponent(self) -> (Self, Self);
+    /// 2 to the power of a whole number from -1022 to 1023, exact.
+    fn power_of_two(self) -> Self;
     /// `self < b` per lane, false for NaN.
     fn lt(self, b: Self) -> Self::Mask;
     /// `self == b` per lane, false for NaN.
@@ -108,6 +112,17 @@ pub trait Lanes:
         Self::load(&values)
     }
 }
+
+/// Bits of the mantissa of a number, and those of one.
+const MANTISSA: u64 = (1 << EXPONENT) - 1;
+const ONE: u64 = 1.0_f64.to_bits();
+/// First bit of the exponent, behind which the sign is left.
+const EXPONENT: u32 = 52;
+/// Bits of an exponent, at the lower end of a number.
+const EXPONENTS: u64 = 0x7ff;
+/// 2^52: whole numbers below it are the last bits of their sum with it. The exponent of one stands for 2^0.
+const WHOLE: f64 = 4_503_599_627_370_496.0;
+const EXPONENT_OF_ONE: f64 = 1023.0;
 
 /// Loads up to `L::WIDTH` values; the common full case is a plain load.
 #[inline(always)]
@@ -231,7 +246,8 @@ impl Selected {
         {
             let fma = is_x86_feature_detected!("fma");
             let avx2 = fma && is_x86_feature_detected!("avx2");
-            let avx512 = avx2 && is_x86_feature_detected!("avx512f");
+            let avx512 =
+                avx2 && is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512vl");
             match choice {
                 LaneChoice::Auto | LaneChoice::Avx512 if avx512 => Ok(Self(Kind::Avx512)),
                 LaneChoice::Auto | LaneChoice::Avx2 if avx2 => Ok(Self(Kind::Avx2)),

@@ -1,6 +1,6 @@
 //! One lane, and pairs of narrower groups.
 
-use super::{Lanes, Quad};
+use super::{EXPONENT, EXPONENT_OF_ONE, EXPONENTS, Lanes, MANTISSA, ONE, Quad, WHOLE};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// One f64.
@@ -101,6 +101,17 @@ impl Lanes for Scalar {
         Self(self.0.sqrt())
     }
     #[inline(always)]
+    fn mantissa_and_exponent(self) -> (Self, Self) {
+        let bits = self.0.to_bits();
+        let exponent = (bits >> EXPONENT & EXPONENTS) as f64 - EXPONENT_OF_ONE;
+        (Self(f64::from_bits(bits & MANTISSA | ONE)), Self(exponent))
+    }
+    #[inline(always)]
+    fn power_of_two(self) -> Self {
+        let shifted = self.0 + (WHOLE + EXPONENT_OF_ONE);
+        Self(f64::from_bits(shifted.to_bits() << EXPONENT))
+    }
+    #[inline(always)]
     fn lt(self, b: Self) -> bool {
         self.0 < b.0
     }
@@ -175,6 +186,18 @@ impl<T: Lanes> Lanes for Pair<T> {
     #[inline(always)]
     fn sqrt(self) -> Self {
         Self(self.0.sqrt(), self.1.sqrt())
+    }
+    #[inline(always)]
+    fn mantissa_and_exponent(self) -> (Self, Self) {
+        let (first, second) = (
+            self.0.mantissa_and_exponent(),
+            self.1.mantissa_and_exponent(),
+        );
+        (Self(first.0, second.0), Self(first.1, second.1))
+    }
+    #[inline(always)]
+    fn power_of_two(self) -> Self {
+        Self(self.0.power_of_two(), self.1.power_of_two())
     }
     #[inline(always)]
     fn lt(self, b: Self) -> Self::Mask {

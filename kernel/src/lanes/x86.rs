@@ -5,7 +5,10 @@
 //! safety argument of every `unsafe` block below; loads and stores check the length of their slice first.
 
 use super::scalar::Pair;
-use super::{Backend, Kernel, Lanes, Quad, ScalarBackend};
+use super::{
+    Backend, EXPONENT, EXPONENT_OF_ONE, EXPONENTS, Kernel, Lanes, MANTISSA, ONE, Quad,
+    ScalarBackend, WHOLE,
+};
 #[allow(clippy::wildcard_imports)] // the vector intrinsics
 use std::arch::x86_64::*;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -46,8 +49,8 @@ pub(super) unsafe fn run_avx2<K: Kernel>(kernel: K) -> K::Output {
 }
 
 /// # Safety
-/// The machine must have AVX-512F, AVX2 and FMA.
-#[target_feature(enable = "avx512f,avx2,fma")]
+/// The machine must have AVX-512F, AVX-512VL, AVX2 and FMA.
+#[target_feature(enable = "avx512f,avx512vl,avx2,fma")]
 pub(super) unsafe fn run_avx512<K: Kernel>(kernel: K) -> K::Output {
     kernel.run::<Avx512>()
 }
@@ -169,6 +172,34 @@ impl Lanes for Avx2Lanes {
         Self(unsafe { _mm256_sqrt_pd(self.0) })
     }
     #[inline(always)]
+    fn mantissa_and_exponent(self) -> (Self, Self) {
+        unsafe {
+            let bits = _mm256_castpd_si256(self.0);
+            let mantissa = _mm256_or_si256(
+                _mm256_and_si256(bits, _mm256_set1_epi64x(MANTISSA as i64)),
+                _mm256_set1_epi64x(ONE as i64),
+            );
+            let exponent = _mm256_and_si256(
+                _mm256_srli_epi64::<{ EXPONENT as i32 }>(bits),
+                _mm256_set1_epi64x(EXPONENTS as i64),
+            );
+            // A whole number below 2^52 as one of these lanes.
+            let exponent = _mm256_or_si256(exponent, _mm256_set1_epi64x(WHOLE.to_bits() as i64));
+            (
+                Self(_mm256_castsi256_pd(mantissa)),
+                Self(_mm256_castsi256_pd(exponent)) - Self::splat(WHOLE + EXPONENT_OF_ONE),
+            )
+        }
+    }
+    #[inline(always)]
+    fn power_of_two(self) -> Self {
+        let shifted = self + Self::splat(WHOLE + EXPONENT_OF_ONE);
+        unsafe {
+            let bits = _mm256_slli_epi64::<{ EXPONENT as i32 }>(_mm256_castpd_si256(shifted.0));
+            Self(_mm256_castsi256_pd(bits))
+        }
+    }
+    #[inline(always)]
     fn lt(self, b: Self) -> __m256d {
         unsafe { _mm256_cmp_pd::<_CMP_LT_OQ>(self.0, b.0) }
     }
@@ -254,6 +285,34 @@ impl Lanes for Avx512Lanes {
     #[inline(always)]
     fn sqrt(self) -> Self {
         Self(unsafe { _mm512_sqrt_pd(self.0) })
+    }
+    #[inline(always)]
+    fn mantissa_and_exponent(self) -> (Self, Self) {
+        unsafe {
+            let bits = _mm512_castpd_si512(self.0);
+            let mantissa = _mm512_or_si512(
+                _mm512_and_si512(bits, _mm512_set1_epi64(MANTISSA as i64)),
+                _mm512_set1_epi64(ONE as i64),
+            );
+            let exponent = _mm512_and_si512(
+                _mm512_srli_epi64::<EXPONENT>(bits),
+                _mm512_set1_epi64(EXPONENTS as i64),
+            );
+            // A whole number below 2^52 as one of these lanes.
+            let exponent = _mm512_or_si512(exponent, _mm512_set1_epi64(WHOLE.to_bits() as i64));
+            (
+                Self(_mm512_castsi512_pd(mantissa)),
+                Self(_mm512_castsi512_pd(exponent)) - Self::splat(WHOLE + EXPONENT_OF_ONE),
+            )
+        }
+    }
+    #[inline(always)]
+    fn power_of_two(self) -> Self {
+        let shifted = self + Self::splat(WHOLE + EXPONENT_OF_ONE);
+        unsafe {
+            let bits = _mm512_slli_epi64::<EXPONENT>(_mm512_castpd_si512(shifted.0));
+            Self(_mm512_castsi512_pd(bits))
+        }
     }
     #[inline(always)]
     fn lt(self, b: Self) -> __mmask8 {

@@ -75,6 +75,9 @@ pub enum TransferKind {
     Apic,
     /// Taylor particle-in-cell: carries the velocity gradient.
     Tpic,
+    /// Moving least squares (Hu et al. 2018): carries the affine velocity of APIC, which is the velocity gradient too; a node
+    /// takes the force -V sigma `D_p^-1` (x_I - x_p) `S_Ip` in the place of -V sigma grad `S_Ip`.
+    Mls,
 }
 
 /// Where the volumetric part of strain and stress meets the nodes.

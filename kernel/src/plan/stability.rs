@@ -36,10 +36,14 @@ pub fn stability_number(
         StressScheme::Usf => 1,
         StressScheme::Musl => 2,
     };
+    // Accepted with B-splines alone, so that the other functions need none of their own.
+    if transfer == TransferKind::Mls {
+        return table::LEAST_SQUARES[s];
+    }
     let t = match transfer {
         TransferKind::Flip => 0,
         TransferKind::Apic => 1,
-        TransferKind::Tpic => 2,
+        TransferKind::Tpic | TransferKind::Mls => 2,
     };
     match weighting {
         Weighting::Linear => table::LINEAR[s][t],

@@ -10,7 +10,9 @@ pub mod weigh;
 use crate::grid::{GHOSTS_BELOW, GridShape};
 use crate::lanes::{Lanes, load};
 use crate::layout::Layout;
-use crate::weights::{Family, base_offset, gimp_weights, hat_pair, hat_triple, hat_weights};
+use crate::weights::{
+    Family, base_offset, gimp_weights, hat_pair, hat_triple, hat_weights, least_squares_weights,
+};
 
 /// How particles of one set see the grid.
 #[derive(Clone, Debug)]
@@ -27,6 +29,8 @@ pub struct Mapping {
     pub half_length: [f64; 3],
     /// 1/4 over that half-length.
     quarter: [f64; 3],
+    /// Whether gradients are those of least squares: see [`TransferType`](crate::transfers::TransferType).
+    least_squares: bool,
     /// Column of the half-lengths where each particle has its own.
     pub half_length_column: Option<usize>,
 }
@@ -48,6 +52,16 @@ impl Mapping {
             half_length,
             quarter: half_length.map(|l| 1.0 / (4.0 * l)),
             half_length_column: column,
+            least_squares: false,
+        }
+    }
+
+    /// The same with gradients of least squares, which quadratic B-splines have.
+    #[must_use]
+    pub fn with_least_squares(self, least_squares: bool) -> Self {
+        Self {
+            least_squares,
+            ..self
         }
     }
 }
@@ -187,6 +201,9 @@ fn weights_of<L: Lanes, C: AsRef<[f64]>, const D: usize, const N: usize, const O
     for axis in 0..D {
         let (l, quarter) = (mapping.half_length[axis], mapping.quarter[axis]);
         (w[axis], g[axis]) = gimp_weights::<L, N>(block.f[axis], L::splat(l), L::splat(quarter));
+        if mapping.least_squares {
+            g[axis] = least_squares_weights::<L, N>(block.f[axis], &w[axis]);
+        }
     }
     (w, g)
 }

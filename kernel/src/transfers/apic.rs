@@ -8,6 +8,7 @@ pub(super) const APIC: TransferType = TransferType {
     transfer: TransferKind::Apic,
     word: "APIC",
     affine: Affine::Apic,
+    least_squares: false,
     // What FLIP keeps in the velocity of the particle is carried in the affine part.
     pic_fraction: 1.0,
 };

@@ -8,5 +8,6 @@ pub(super) const FLIP: TransferType = TransferType {
     transfer: TransferKind::Flip,
     word: "FLIP",
     affine: Affine::Leave,
+    least_squares: false,
     pic_fraction: 0.0,
 };

@@ -8,6 +8,7 @@ pub(super) const TPIC: TransferType = TransferType {
     transfer: TransferKind::Tpic,
     word: "TPIC",
     affine: Affine::Tpic,
+    least_squares: false,
     // As with APIC.
     pic_fraction: 1.0,
 };

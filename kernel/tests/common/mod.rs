@@ -39,7 +39,18 @@ pub const TPIC: Transfer = Transfer {
     kind: TransferKind::Tpic,
     pic_fraction: 1.0,
 };
+pub const MLS: Transfer = Transfer {
+    kind: TransferKind::Mls,
+    pic_fraction: 1.0,
+};
+/// Transfers that every weighting function takes.
 pub const TRANSFERS: [Transfer; 4] = [FLIP, BLEND, APIC, TPIC];
+
+/// Transfers that a weighting function takes.
+pub fn transfers_of(weighting: Weighting) -> impl Iterator<Item = Transfer> {
+    let least_squares = (weighting == Weighting::QuadraticBSpline).then_some(MLS);
+    TRANSFERS.into_iter().chain(least_squares)
+}
 
 pub const YOUNG: f64 = 1.0e6;
 pub const DENSITY: f64 = 1000.0;

@@ -22,7 +22,7 @@ impl Kernel for EveryOperation<'_> {
 
 #[inline(always)]
 fn every_operation<L: Lanes>(a: &[f64; 8], b: &[f64; 8], c: &[f64; 8]) -> Vec<u64> {
-    const OPERATIONS: usize = 15;
+    const OPERATIONS: usize = 18;
     let mut results = vec![[0.0_f64; 8]; OPERATIONS];
     let mut mask_bits = [0_u64; 2];
     let mut i = 0;
@@ -44,6 +44,9 @@ fn every_operation<L: Lanes>(a: &[f64; 8], b: &[f64; 8], c: &[f64; 8]) -> Vec<u6
             x.abs(),
             L::splat(a[0]),
             x.map(f64::cbrt),
+            x.mantissa_and_exponent().0,
+            x.mantissa_and_exponent().1,
+            x.floor().power_of_two(),
         ];
         for (result, value) in results.iter_mut().zip(values) {
             value.store(&mut result[i..]);

@@ -1,8 +1,8 @@
 //! Equal bits: whatever the number of threads, the lanes, and the order in which particles are given.
 
 use crate::common::{
-    DIMENSIONS, NEVER, SCHEMES, TRANSFERS, WEIGHTINGS, block, body, cuboid, elastic, empty, lanes,
-    light_nodes_act, material, noise, options, particles, rough, rough_drift,
+    DIMENSIONS, NEVER, SCHEMES, WEIGHTINGS, block, body, cuboid, elastic, empty, lanes,
+    light_nodes_act, material, noise, options, particles, rough, rough_drift, transfers_of,
 };
 use proctor_kernel::lanes::LaneChoice;
 use proctor_laws::NeoHookean;
@@ -79,7 +79,7 @@ fn threads_and_lanes_change_no_bit() {
     for dimension in DIMENSIONS {
         for weighting in WEIGHTINGS {
             for scheme in SCHEMES {
-                for transfer in TRANSFERS {
+                for transfer in transfers_of(weighting) {
                     let mut scene = strip(dimension, weighting, scheme, transfer);
                     // Dampings and particle forces in turn: they take other paths through the mapping.
                     index += 1;
@@ -178,7 +178,7 @@ fn the_order_of_a_particle_list_changes_no_bit() {
         let seeds = seeds(dimension);
         for weighting in WEIGHTINGS {
             for scheme in SCHEMES {
-                for transfer in TRANSFERS {
+                for transfer in transfers_of(weighting) {
                     let mut scene = block(dimension);
                     (scene.weighting, scene.scheme, scene.transfer) = (weighting, scheme, transfer);
                     crate::common::calm(&mut scene);
@@ -217,7 +217,7 @@ fn the_order_of_lists_in_contact_changes_no_bit() {
             .collect();
         for (index, weighting) in WEIGHTINGS.into_iter().enumerate() {
             for scheme in SCHEMES {
-                for transfer in TRANSFERS {
+                for transfer in transfers_of(weighting) {
                     let mut scene = block(dimension);
                     scene.mesh.cells[0] = 14;
                     (scene.weighting, scene.scheme, scene.transfer) = (weighting, scheme, transfer);

@@ -2,8 +2,8 @@
 //! the mesh, seen at the nodes, and whole runs, which are the same to the last bit.
 
 use crate::common::{
-    DENSITY, DIMENSIONS, IDENTITY, NEVER, SCHEMES, TRANSFERS, WEIGHTINGS, body, calm, cases,
-    cuboid, empty, options, run_towards,
+    DENSITY, DIMENSIONS, IDENTITY, NEVER, SCHEMES, WEIGHTINGS, body, calm, cases, cuboid, empty,
+    options, run_towards, transfers_of,
 };
 use crate::properties::touching::touching;
 use proctor_scene::simulation::{InitialField, InitialState, Options, Simulation};
@@ -258,7 +258,7 @@ fn a_run_far_from_zero_has_the_bits_of_one_at_zero() {
     for dimension in DIMENSIONS {
         for weighting in WEIGHTINGS {
             for scheme in SCHEMES {
-                for transfer in TRANSFERS {
+                for transfer in transfers_of(weighting) {
                     let mut scene = loaded(dimension);
                     (scene.weighting, scene.scheme, scene.transfer) = (weighting, scheme, transfer);
                     calm(&mut scene);

@@ -8,6 +8,7 @@ mod contact_bits;
 mod far_origin;
 mod histories;
 mod interactions;
+mod least_squares;
 mod mapping;
 mod mortar_work;
 mod motion;

@@ -18,11 +18,23 @@ pub const WEIGHTINGS: [Weighting; 4] = [
 ];
 /// Schemes, in the order in which they are shown.
 pub const SCHEMES: [StressScheme; 3] = [StressScheme::Usl, StressScheme::Usf, StressScheme::Musl];
-/// Transfers, in the order in which they are shown.
+/// Transfers that every weighting function takes, in the order in which they are shown.
 pub const TRANSFERS: [TransferKind; 3] =
     [TransferKind::Flip, TransferKind::Apic, TransferKind::Tpic];
 /// Particles per cell and axis.
 pub const PARTICLES: [usize; 3] = [1, 2, 4];
+
+/// Weighting function and transfer of MLS, which is derived for quadratic B-splines alone.
+pub const LEAST_SQUARES: (Weighting, TransferKind) =
+    (Weighting::QuadraticBSpline, TransferKind::Mls);
+
+/// Every pair of weighting function and transfer that goes together, in the order in which they are shown.
+pub fn pairs() -> impl Iterator<Item = (Weighting, TransferKind)> {
+    TRANSFERS
+        .into_iter()
+        .flat_map(|transfer| WEIGHTINGS.map(|weighting| (weighting, transfer)))
+        .chain([LEAST_SQUARES])
+}
 
 /// Why a measured limit may not lie below the predicted one.
 const NOT_BELOW_PREDICTED: &str =
@@ -220,21 +232,19 @@ pub fn choices(size: Size) -> Vec<Choice> {
     };
     let mut all = vec![];
     for &dimension in dimensions {
-        for transfer in TRANSFERS {
-            for weighting in WEIGHTINGS {
-                for scheme in SCHEMES {
-                    for particles_per_cell in PARTICLES {
-                        let method = Method {
-                            weighting,
-                            scheme,
-                            transfer,
-                        };
-                        all.push(Choice {
-                            method,
-                            dimension,
-                            particles_per_cell,
-                        });
-                    }
+        for (weighting, transfer) in pairs() {
+            for scheme in SCHEMES {
+                for particles_per_cell in PARTICLES {
+                    let method = Method {
+                        weighting,
+                        scheme,
+                        transfer,
+                    };
+                    all.push(Choice {
+                        method,
+                        dimension,
+                        particles_per_cell,
+                    });
                 }
             }
         }

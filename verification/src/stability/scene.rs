@@ -5,7 +5,7 @@ use proctor_scene::{Scene, Transfer};
 
 use super::StabilityError;
 use super::frozen::fastest_wave;
-use super::map::{SCHEMES, TRANSFERS, WEIGHTINGS};
+use super::map::{SCHEMES, pairs};
 use super::predicted::{Limit, predict};
 use super::tension::TensionReport;
 use crate::settings::Method;
@@ -151,25 +151,23 @@ fn without_loads(scene: &Scene) -> Scene {
 fn changes(scene: &Scene, ruled: Option<&Limit>) -> Vec<(String, Scene)> {
     let mut all = vec![];
     let own = method_of(scene);
-    for transfer in TRANSFERS {
-        for weighting in WEIGHTINGS {
-            for scheme in SCHEMES {
-                let method = Method {
-                    weighting,
-                    scheme,
-                    transfer,
-                };
-                let mut other = scene.clone();
-                other.weighting = weighting;
-                other.scheme = scheme;
-                if transfer != own.transfer {
-                    other.transfer = Transfer::new(transfer);
-                }
-                if method.weighting_word() != own.weighting_word()
-                    || (scheme, transfer) != (own.scheme, own.transfer)
-                {
-                    all.push((method.to_string(), other));
-                }
+    for (weighting, transfer) in pairs() {
+        for scheme in SCHEMES {
+            let method = Method {
+                weighting,
+                scheme,
+                transfer,
+            };
+            let mut other = scene.clone();
+            other.weighting = weighting;
+            other.scheme = scheme;
+            if transfer != own.transfer {
+                other.transfer = Transfer::new(transfer);
+            }
+            if method.weighting_word() != own.weighting_word()
+                || (scheme, transfer) != (own.scheme, own.transfer)
+            {
+                all.push((method.to_string(), other));
             }
         }
     }

@@ -5,7 +5,7 @@ use std::fmt::{self, Write as _};
 use proctor_scene::{StressScheme, TransferKind, Weighting};
 
 use super::block::Choice;
-use super::map::{Entry, PARTICLES, SCHEMES, TRANSFERS, WEIGHTINGS};
+use super::map::{Entry, LEAST_SQUARES, PARTICLES, SCHEMES, TRANSFERS, WEIGHTINGS};
 use crate::settings::Method;
 use proctor_scene::plan::AUTOMATIC_SHARE;
 
@@ -141,9 +141,12 @@ pub fn numbers(map: &[Entry]) -> Vec<Number> {
         .filter_map(|site| site.predicted)
         .fold(f64::INFINITY, f64::min);
     let mut all = vec![];
-    for weighting in weightings() {
+    let every = weightings().flat_map(|weighting| TRANSFERS.map(|transfer| (weighting, transfer)));
+    let mut pairs: Vec<_> = every.collect();
+    pairs.push(LEAST_SQUARES);
+    for of_weighting in pairs.chunk_by(|one, other| one.0 == other.0) {
         for scheme in SCHEMES {
-            for transfer in TRANSFERS {
+            for &(weighting, transfer) in of_weighting {
                 let method = Method {
                     weighting,
                     scheme,
@@ -229,6 +232,13 @@ pub fn source(numbers: &[Number], date: &str) -> String {
         }
         let _ = writeln!(text, "];");
     }
+    let (weighting, transfer) = LEAST_SQUARES;
+    let row = SCHEMES.map(|scheme| cell(weighting, scheme, transfer, None));
+    let _ = writeln!(
+        text,
+        "\n/// Quadratic B-splines with MLS by scheme.\npub(super) const LEAST_SQUARES: [f64; 3] = {};",
+        List(&row)
+    );
     text
 }
 

@@ -60,6 +60,8 @@ pub enum Stroke {
     Dashed,
     /// By dots.
     Dotted,
+    /// A dash and a dot.
+    DashDotted,
 }
 
 impl Colour {
@@ -106,6 +108,7 @@ impl Stroke {
         match self {
             Self::Dashed => Some("7 4"),
             Self::Dotted => Some("2 4"),
+            Self::DashDotted => Some("8 4 2 4"),
             Self::None | Self::Solid => None,
         }
     }

@@ -12,7 +12,12 @@ use proctor_verification::settings::Method;
 /// Marks of the stress schemes, in the order of [`SCHEMES`].
 const SCHEME_MARKS: [Mark; 3] = [Mark::Circle, Mark::Square, Mark::Triangle];
 /// Strokes of the transfers, in the order of [`TRANSFERS`].
-const TRANSFER_STROKES: [Stroke; 3] = [Stroke::Solid, Stroke::Dashed, Stroke::Dotted];
+const TRANSFER_STROKES: [Stroke; 4] = [
+    Stroke::Solid,
+    Stroke::Dashed,
+    Stroke::Dotted,
+    Stroke::DashDotted,
+];
 /// Error against run time of one measure of a study: paths of refinement as lines, sweeps as dots, runs that failed as
 /// open marks above the plot, the front of the best runs as a broad band. Lines that have a run on the front or reach
 /// a level of error at the least cost stand out.

@@ -93,8 +93,10 @@ fn method_words() {
         ("FLIP", TransferKind::Flip, 0.0),
         ("APIC", TransferKind::Apic, 1.0),
         ("TPIC", TransferKind::Tpic, 1.0),
+        ("MLS", TransferKind::Mls, 1.0),
     ] {
-        let scene = with(&format!(r#""transfer": "{word}","#));
+        let method = format!(r#""shape_function": "quadratic_bspline", "transfer": "{word}","#);
+        let scene = with(&method);
         assert_eq!(scene.transfer, Transfer { kind, pic_fraction });
     }
     assert_eq!(with(r#""pic_fraction": 0.01,"#).transfer.pic_fraction, 0.01);

@@ -38,7 +38,7 @@ pub(super) fn describe(plan: &Plan, scene: &Scene, demands: PlanOptions) -> Vec<
         "stage",
         "affine velocity",
         plan.affine != Affine::Leave,
-        "the transfer is APIC or TPIC",
+        "the transfer is APIC, TPIC or MLS",
         "the transfer is FLIP",
     );
     list.choose(

@@ -206,7 +206,8 @@ fn fill_body(
             ),
         });
     }
-    let mapping = Mapping::new(shape, plan.family, half_length, layout.half_length);
+    let mapping = Mapping::new(shape, plan.family, half_length, layout.half_length)
+        .with_least_squares(scene.transfer.kind.kind().least_squares);
     let speed = body.velocity.iter().map(|v| v * v).sum::<f64>();
     let h = scene.mesh.cell[..axes]
         .iter()

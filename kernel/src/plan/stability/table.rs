@@ -27,6 +27,9 @@ pub(super) const B_SPLINE: [[f64; 3]; 3] = [
     [1.467, 0.891, 0.748],
 ];
 
+/// Quadratic B-splines with MLS by scheme.
+pub(super) const LEAST_SQUARES: [f64; 3] = [0.705, 0.748, 0.748];
+
 /// Linear functions by scheme and transfer. USL, APIC and TPIC have none that is safe for every body; theirs is for bodies
 /// that fill their cells.
 pub(super) const LINEAR: [[f64; 3]; 3] = [

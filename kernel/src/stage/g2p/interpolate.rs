@@ -1,37 +1,15 @@
 //! Sums over the nodes that a block of particles reaches, lanes = particles.
 
+use super::differences::Differences;
 use super::reach::{BlockReach, Rows};
+use super::three_nodes::interpolate_group;
+use super::values::{InterpolatedValues, keep};
 use crate::lanes::Lanes;
-use crate::laws::tensor::Matrix;
 use crate::stage::{Block, Mapping, weights_of};
 use crate::weights::Family;
 
-/// Interpolated values of one block.
-pub(super) struct InterpolatedValues<L> {
-    /// sum S v.
-    pub velocity: [L; 3],
-    /// sum S dv.
-    pub increment: [L; 3],
-    /// sum v (x) grad S \[1/s\].
-    pub gradient: Matrix<L>,
-    /// C_p of APIC \[1/s\].
-    pub affine: Matrix<L>,
-}
-
-impl<L: Lanes> InterpolatedValues<L> {
-    #[inline(always)]
-    pub(super) fn zero() -> Self {
-        let zero = L::splat(0.0);
-        Self {
-            velocity: [zero; 3],
-            increment: [zero; 3],
-            gradient: [[zero; 3]; 3],
-            affine: [[zero; 3]; 3],
-        }
-    }
-}
-
-/// Interpolates to one block, with `ON_NODES` from the nodes of [`Bases::before`](super::reach::Bases::before). Writes the first D components of what is asked for, and leaves the rest of `sums`.
+/// Interpolates to one block, with `ON_NODES` from the nodes of [`Bases::before`](super::reach::Bases::before). Writes what is asked for
+/// from particle `to` of the values on, and leaves the rest.
 #[inline(always)]
 pub(super) fn interpolate<
     L: Lanes,
@@ -50,10 +28,22 @@ pub(super) fn interpolate<
     reach: &BlockReach<'_, L, R>,
     block: &Block<L>,
     at: usize,
-    sums: &mut InterpolatedValues<L>,
+    to: usize,
+    values: &mut InterpolatedValues,
 ) {
     let zero = L::splat(0.0);
     let (w, mut g) = weights_of::<L, _, D, N, ON_NODES>(columns, mapping, block, at);
+    // A particle of a hat that lies on a node has the operations of the others of its group, which reach two nodes.
+    if N == 3 && !ON_NODES {
+        let differences = Differences::new::<D, N, APIC>(mapping, &w, &g);
+        return interpolate_group::<L, D, KICK, GRADIENT, APIC, UPPER, MOVE, R>(
+            mapping,
+            reach,
+            &differences,
+            to,
+            values,
+        );
+    }
     let mut q = [[zero; N]; 3];
     for axis in 0..D {
         let scale = L::splat(mapping.inverse_cell[axis]);
@@ -74,16 +64,18 @@ pub(super) fn interpolate<
     for c in 0..D {
         let of = stencil.component::<KICK, GRADIENT, UPPER, MOVE>(affine.as_ref(), c);
         if MOVE {
-            sums.velocity[c] = of.velocity;
+            keep(of.velocity, &mut values.velocity[c], to);
         }
         if KICK {
-            sums.increment[c] = of.increment;
+            keep(of.increment, &mut values.increment[c], to);
         }
-        if GRADIENT {
-            sums.gradient[c] = of.gradient;
-        }
-        if APIC {
-            sums.affine[c] = of.affine;
+        for axis in 0..D {
+            if GRADIENT {
+                keep(of.gradient[axis], &mut values.gradient.0[D * c + axis], to);
+            }
+            if APIC {
+                keep(of.affine[axis], &mut values.affine[D * c + axis], to);
+            }
         }
     }
 }

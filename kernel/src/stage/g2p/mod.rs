@@ -3,23 +3,29 @@
 //! v_p = v_p + sum_I S_Ip dv_I (FLIP), x_p = x_p + dt sum_I S_Ip v_I, L_p = sum_I v_I (x) grad S_Ip
 //! (technical manual, algorithm 2, lines 12, 15, 19, 20), then, block by block, the law with L_p.
 
+mod differences;
 pub mod dilation;
 mod domain;
 mod interpolate;
 mod reach;
+mod three_nodes;
 mod update;
+mod values;
 
-use super::{Mapping, block_at, whole_from};
+use super::{Mapping, block_at, weights_of, whole_from};
 use crate::grid::Line;
-use crate::lanes::{Backend, Kernel, Lanes, Selected};
+use crate::lanes::{Backend, Kernel, Lanes, Quad, Selected};
 use crate::laws::tensor::Configuration;
 use crate::laws::{BLOCK, Block, Gradients, Strain};
 use crate::layout::Layout;
 use crate::model::DomainUpdate;
-use interpolate::{InterpolatedValues, interpolate};
+use differences::Differences;
+use interpolate::interpolate;
 use reach::{Bases, MOST};
 use std::ops::Range;
+use three_nodes::FactorsOfGroup;
 use update::{Maxima, fault, update};
+use values::InterpolatedValues;
 
 /// What a pass does with the interpolated values.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -145,10 +151,13 @@ pub fn instance(axes: usize, nodes: usize, task: &Task) -> G2pFn {
 }
 
 fn sums<const D: usize, const N: usize>(task: &Task, gradient: bool, apic: bool) -> G2pFn {
-    // Who adds increments and does nothing else has no use for velocities.
+    // A velocity that is all PIC is that of the nodes, without their increments. Who adds increments and does nothing else has
+    // no use for velocities.
+    let kick = task.kick && task.pic_fraction != 1.0;
     let moves = task.drift.is_some() || task.pic_fraction != 0.0;
-    match (task.kick, gradient, apic, task.gradient_of_upper) {
-        (_, _, true, _) => entry::<D, N, true, true, true, false, true>,
+    match (kick, gradient, apic, task.gradient_of_upper) {
+        (true, _, true, _) => entry::<D, N, true, true, true, false, true>,
+        (false, _, true, _) => entry::<D, N, false, true, true, false, true>,
         (_, true, false, true) => entry::<D, N, false, true, false, true, true>,
         (true, true, false, false) => entry::<D, N, true, true, false, false, true>,
         (true, false, false, _) if moves => entry::<D, N, true, false, false, false, true>,
@@ -205,35 +214,43 @@ impl<
         let end = call.columns[0].len();
         let mut maxima = Maxima::<B::Native>::new();
         let mut of_strain = ParticleMaxima::default();
-        let mut sums = InterpolatedValues::<B::Native>::zero();
-        let mut gradients = Gradients::zero();
+        let mut values = InterpolatedValues::zero();
+        let mut factors = FactorsOfGroup::new();
         let mut at = 0;
         while at < end {
             let block = at;
-            let mut bad = None;
             while at < end && at - block < BLOCK {
-                let count = gather::<B::Native, D, N, KICK, GRADIENT, APIC, UPPER, MOVE>(
-                    &call, at, end, &mut sums,
+                at += gather::<B::Native, B::Half, D, N, KICK, GRADIENT, APIC, UPPER, MOVE>(
+                    &call,
+                    at..end,
+                    &mut factors,
+                    (at - block, &mut values),
                 );
-                // Written twice, so that nothing is masked in full blocks.
+            }
+            // In a loop of its own, far from where the values were written: in lanes that are put together of parts, they
+            // would have to be waited for.
+            let mut bad = None;
+            let mut group = block;
+            while group < at {
+                // Written twice, so that nothing is masked in full groups.
+                let (count, from) = ((at - group).min(B::Native::WIDTH), group - block);
                 let lanes = if count == B::Native::WIDTH {
-                    update::<B::Native, D>(&mut call, &sums, &mut maxima, at, B::Native::WIDTH)
+                    let count = B::Native::WIDTH;
+                    update::<B::Native, D>(&mut call, &values, from, &mut maxima, group, count)
                 } else {
-                    update::<B::Native, D>(&mut call, &sums, &mut maxima, at, count)
+                    update::<B::Native, D>(&mut call, &values, from, &mut maxima, group, count)
                 };
                 if lanes != 0 && bad.is_none() {
-                    bad = Some(at + lanes.trailing_zeros() as usize);
+                    bad = Some(group + lanes.trailing_zeros() as usize);
                 }
-                if GRADIENT {
-                    gradients.store::<B::Native, D>(&sums.gradient, at - block);
-                }
-                at += count;
+                group += count;
             }
             if GRADIENT && call.task.strain.is_some() {
+                let gradients = &mut values.gradient;
                 if !call.excess.is_empty() {
-                    dilation::take(&call.excess[block..at], D, &mut gradients);
+                    dilation::take(&call.excess[block..at], D, gradients);
                 }
-                let first = strain(&mut call, &gradients, block..at, &mut of_strain);
+                let first = strain(&mut call, gradients, block..at, &mut of_strain);
                 bad = [bad, first].into_iter().flatten().min();
             }
             if of_strain.fault.is_none() {
@@ -244,10 +261,12 @@ impl<
     }
 }
 
-/// Interpolates to the particles from `at`, before `end`, as many as lanes and base nodes allow: how many.
+/// Interpolates to the first particles of a range, as many as lanes and base nodes allow: how many. Writes from particle `to` of
+/// the values on.
 #[inline(always)]
 fn gather<
     L: Lanes,
+    Q: Quad,
     const D: usize,
     const N: usize,
     const KICK: bool,
@@ -257,9 +276,9 @@ fn gather<
     const MOVE: bool,
 >(
     call: &G2p<'_, '_>,
-    at: usize,
-    end: usize,
-    sums: &mut InterpolatedValues<L>,
+    Range { start: at, end }: Range<usize>,
+    factors: &mut FactorsOfGroup,
+    (to, values): (usize, &mut InterpolatedValues),
 ) -> usize {
     let (columns, mapping, nodes) = (&*call.columns, call.mapping, call.nodes);
     let block = block_at::<L, _, D, N>(columns, mapping, at, end);
@@ -279,7 +298,8 @@ fn gather<
                 &$from.reach(nodes),
                 &block,
                 at,
-                sums,
+                to,
+                values,
             )
         };
     }
@@ -292,6 +312,19 @@ fn gather<
     match bases.number {
         n if n < 2 || L::WIDTH == 1 => interpolate!(N, 1, false, bases),
         2 => interpolate!(N, 2, false, bases),
+        _ if D == 3 && N == 3 => {
+            let (w, g) = weights_of::<L, _, D, N, false>(columns, mapping, &block, at);
+            let differences = Differences::new::<D, N, APIC>(mapping, &w, &g);
+            factors.interpolate_each::<L, Q, D, KICK, GRADIENT, APIC, UPPER, MOVE>(
+                mapping,
+                nodes,
+                &block,
+                &differences,
+                to,
+                values,
+            );
+            return block.count;
+        }
         _ => interpolate!(N, MOST, false, bases),
     }
     count

@@ -1,16 +1,18 @@
 //! The new velocities and positions of a block of particles from its sums, and what was found on the way.
 
-use super::interpolate::InterpolatedValues;
+use super::values::{InterpolatedValues, group};
 use super::{Affine, FaultKind, G2p, ParticleMaxima};
 use crate::lanes::{Lanes, load, store};
 use crate::layout::Layout;
 use std::ops::Range;
 
-/// Writes the new velocity, affine velocity and position of one block; returns the lanes that went wrong.
+/// Writes the new velocity, affine velocity and position of a group that begins at particle `at`, and at particle `from` of the
+/// values; returns the lanes that went wrong.
 #[inline(always)]
 pub(super) fn update<L: Lanes, const D: usize>(
     call: &mut G2p<'_, '_>,
-    sums: &InterpolatedValues<L>,
+    values: &InterpolatedValues,
+    from: usize,
     maxima: &mut Maxima<L>,
     at: usize,
     count: usize,
@@ -26,10 +28,16 @@ pub(super) fn update<L: Lanes, const D: usize>(
         let mut square = zero;
         for c in 0..D {
             let column = &mut *columns[Layout::velocity(D) + c];
-            let mut v = load::<L>(column, at, count) + sums.increment[c];
-            if task.pic_fraction != 0.0 {
-                v = pic.mul_add(sums.velocity[c] - v, v);
-            }
+            let v = if task.pic_fraction == 1.0 {
+                group(&values.velocity[c], from)
+            } else {
+                let flip = load::<L>(column, at, count) + group(&values.increment[c], from);
+                if task.pic_fraction == 0.0 {
+                    flip
+                } else {
+                    pic.mul_add(group::<L>(&values.velocity[c], from) - flip, flip)
+                }
+            };
             store(v, column, at, count);
             square = v.mul_add(v, square);
         }
@@ -39,7 +47,7 @@ pub(super) fn update<L: Lanes, const D: usize>(
         let dt = L::splat(dt);
         for axis in 0..D {
             let column = &mut *columns[Layout::POSITION + axis];
-            let move_ = dt * sums.velocity[axis] - L::splat(task.mesh_shift[axis]);
+            let move_ = dt * group(&values.velocity[axis], from) - L::splat(task.mesh_shift[axis]);
             let x = load::<L>(column, at, count) + move_;
             store(x, column, at, count);
             let cells = (move_ * L::splat(call.mapping.inverse_cell[axis])).abs();
@@ -52,14 +60,13 @@ pub(super) fn update<L: Lanes, const D: usize>(
     if let Some(affine) = call.layout.affine {
         let c_p = match task.affine {
             Affine::Leave => None,
-            Affine::Apic => Some(&sums.affine),
-            Affine::Tpic => Some(&sums.gradient),
+            Affine::Apic => Some(&values.affine),
+            Affine::Tpic => Some(&values.gradient.0),
         };
         if let Some(c_p) = c_p {
-            for a in 0..D {
-                for b in 0..D {
-                    store(c_p[a][b], call.columns[affine + a * D + b], at, count);
-                }
+            for component in 0..D * D {
+                let value = group::<L>(&c_p[component], from);
+                store(value, call.columns[affine + component], at, count);
             }
         }
     }

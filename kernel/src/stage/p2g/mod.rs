@@ -7,6 +7,7 @@
 //! in the order of the particles whatever planes the caller owns, so the bits do not depend on the partition.
 
 mod add;
+mod products;
 mod runs;
 mod scratch;
 
@@ -14,7 +15,9 @@ use super::{Block, Mapping, block_at};
 use crate::grid::Line;
 use crate::lanes::{Backend, Kernel, Selected};
 use crate::layout::Layout;
+use crate::weights::Family;
 use add::{RunRows, add_run};
+use products::{Products, add_linear, add_products};
 use runs::{GroupCount, Runs};
 use scratch::{P2gSource, Scratch};
 use std::ops::Range;
@@ -66,6 +69,20 @@ const NOTHING: u8 = 0;
 const MASS_GRADIENT: u8 = 1;
 /// It carries the force of the mean stress instead of them.
 const MEAN_STRESS: u8 = 2;
+
+/// How the sums over the nodes are formed.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum SumForm {
+    /// Row by row, with weights and derivatives along each axis.
+    Rows,
+    /// As products of weights with quotients of derivative and weight.
+    Products,
+    /// As products of weights with what is linear in the distance.
+    Linear,
+}
+
+/// 1/`D_p` of quadratic B-splines in cells.
+const INVERSE_INERTIA: f64 = 4.0;
 
 /// A mapping stage, compiled for one dimension, stencil and set of terms. Returns the number of groups in the
 /// layers that the caller owns.
@@ -151,17 +168,35 @@ impl<const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool, con
     #[inline(always)]
     fn run<B: Backend>(self) -> usize {
         let Self(call) = self;
+        // Hats have nodes without a weight that have a derivative.
+        let as_products = D == 3
+            && N == 3
+            && GRADIENT
+            && EXTRA == NOTHING
+            && call.carry == Carry::All
+            && call.mapping.family != Family::Hat;
+        let sums = match as_products {
+            true if FULL && call.mapping.least_squares => SumForm::Linear,
+            true => SumForm::Products,
+            false => SumForm::Rows,
+        };
         let from = P2gSource {
             columns: call.columns,
             layout: call.layout,
             mapping: call.mapping,
             carry: call.carry,
             viscous_rate: call.viscous_rate,
+            stress_factor: match sums {
+                SumForm::Linear => INVERSE_INERTIA,
+                SumForm::Rows | SumForm::Products => 1.0,
+            },
+            sums,
         };
         let mut onto = OwnedNodes {
             planes: call.planes,
             nodes: call.nodes,
         };
+        let mut products = Products::new();
         let mut scratch = Scratch::<N>::new();
         let mut groups = 0;
         for (layer, own_layer) in call.layers {
@@ -174,7 +209,12 @@ impl<const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool, con
                     // So rare that what it needs is not kept.
                     let mut wider = Scratch::<3>::new();
                     onto.add::<B, D, 3, FULL, GRADIENT, EXTRA, true>(
-                        &from, &block, &runs, at, &mut wider,
+                        &from,
+                        &block,
+                        &runs,
+                        at,
+                        &mut products,
+                        &mut wider,
                     );
                 } else {
                     onto.add::<B, D, N, FULL, GRADIENT, EXTRA, false>(
@@ -182,6 +222,7 @@ impl<const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool, con
                         &block,
                         &runs,
                         at,
+                        &mut products,
                         &mut scratch,
                     );
                 }
@@ -240,6 +281,7 @@ impl OwnedNodes<'_> {
         block: &Block<B::Line>,
         runs: &Runs,
         at: usize,
+        products: &mut Products,
         scratch: &mut Scratch<N>,
     ) {
         let Self { planes, nodes } = self;
@@ -247,7 +289,17 @@ impl OwnedNodes<'_> {
         if !runs.reach::<D, N, ON_NODES>(planes) {
             return;
         }
-        scratch.fill_weights::<B::Line, D, FULL, GRADIENT, ON_NODES>(from, block, at);
+        // What has no instance is never asked for.
+        let sums = if D == 3 && N == 3 && !ON_NODES && GRADIENT && EXTRA == NOTHING {
+            from.sums
+        } else {
+            SumForm::Rows
+        };
+        if sums == SumForm::Rows {
+            scratch.fill_weights::<B::Line, D, FULL, GRADIENT, ON_NODES>(from, block, at);
+        } else {
+            products.fill::<B::Line, FULL>(from, block, at, sums == SumForm::Linear);
+        }
         if EXTRA == MEAN_STRESS && from.carry == (Carry::MeanStress { averaged: true }) {
             scratch.take_cell_means::<B::Line, D>();
         }
@@ -281,7 +333,16 @@ impl OwnedNodes<'_> {
                         rows: 0..N,
                         row_length,
                     };
-                    add_run::<B, D, N, FULL, GRADIENT>(scratch, from.carry, &below, nodes);
+                    let lines = &scratch.lines;
+                    match sums {
+                        SumForm::Products => {
+                            add_products::<B, FULL>(products, lines, &below, nodes)
+                        }
+                        SumForm::Linear if FULL => add_linear::<B>(products, lines, &below, nodes),
+                        _ => {
+                            add_run::<B, D, N, FULL, GRADIENT>(scratch, from.carry, &below, nodes);
+                        }
+                    }
                 }
             }
         }

@@ -1,6 +1,6 @@
 //! Weights and quantities of a block of particles, as the sums over nodes want them.
 
-use super::{Carry, MASS_GRADIENT, MEAN_STRESS, voigt};
+use super::{Carry, MASS_GRADIENT, MEAN_STRESS, SumForm, voigt};
 use crate::lanes::{Lanes, Quad, load};
 use crate::layout::Layout;
 use crate::stage::{Block, Mapping, weights_of};
@@ -18,7 +18,15 @@ pub(super) struct P2gSource<'a> {
     pub carry: Carry,
     /// Rate of viscous damping \[1/s\]; 0 for none.
     pub viscous_rate: f64,
+    /// How sums are formed.
+    pub sums: SumForm,
+    /// Factor of the stress.
+    pub stress_factor: f64,
 }
+
+/// Per particle of a block: the line multiplied by the weight, and those multiplied by derivative (upper lanes) and distance
+/// (lower lanes) along each axis.
+pub(super) type Lines = [[[f64; 8]; 4]; 8];
 
 /// Weights and quantities of a block.
 // Lines of eight numbers are lines of the cache: half of them lay across two wherever the stack began between, which took
@@ -31,9 +39,8 @@ pub(super) struct Scratch<const N: usize> {
     pub g: [[[f64; 8]; N]; 3],
     /// Weights times distance in cells, for the affine term.
     pub q: [[[f64; 8]; N]; 3],
-    /// Per particle: the line multiplied by the weight, and those multiplied by derivative (upper lanes) and
-    /// distance (lower lanes) along each axis.
-    pub lines: [[[f64; 8]; 4]; 8],
+    /// Quantities.
+    pub lines: Lines,
 }
 
 impl<const N: usize> Scratch<N> {
@@ -211,7 +218,7 @@ fn rows<Q: Quad, const D: usize, const FULL: bool, const EXTRA: u8>(
     if matches!(carry, Carry::All | Carry::Force) {
         let volume = -load::<Q>(&columns[Layout::VOLUME], at, count);
         for axis in 0..D {
-            let scale = volume * Q::splat(mapping.inverse_cell[axis]);
+            let scale = volume * Q::splat(from.stress_factor * mapping.inverse_cell[axis]);
             for c in 0..D {
                 let stress = &columns[Layout::stress(D) + voigt::<D>(c, axis)];
                 let (line, lane) = place_of::<D, FULL>(axis, c);

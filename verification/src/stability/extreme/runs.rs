@@ -13,7 +13,7 @@ use proctor_scene::{Body, Dimension, Mesh, PlaneCondition, Scene, Shape, Vector}
 use super::Unexpected;
 use crate::cases::{AT_REST, NO_RESULTS, body, cuboid, elastic_law, material};
 use crate::settings::{Method, Settings};
-use crate::stability::map::{SCHEMES, TRANSFERS, WEIGHTINGS};
+use crate::stability::map::{LEAST_SQUARES, SCHEMES, TRANSFERS, WEIGHTINGS};
 
 /// No end of a run: it is left after so many steps.
 pub const NEVER: f64 = 1e30;
@@ -91,6 +91,12 @@ pub fn methods() -> Vec<Method> {
             }));
         }
     }
+    let (weighting, transfer) = LEAST_SQUARES;
+    all.extend(SCHEMES.map(|scheme| Method {
+        weighting,
+        scheme,
+        transfer,
+    }));
     all
 }
 

@@ -193,6 +193,6 @@ pub(super) const ALL: &[ForeignWord] = &[
         "",
         &["velocity_update", "flip", "apic"],
         &["transfer", "pic_fraction"],
-        "here `transfer`, FLIP, APIC or TPIC, with `pic_fraction` for a share of PIC",
+        "here `transfer`, FLIP, APIC, TPIC or MLS, with `pic_fraction` for a share of PIC",
     ),
 ];

@@ -100,14 +100,14 @@ pub(super) struct RawScene {
         "default" = "determinant", "examples" = ["stretch"]
     ))]
     pub domain_update: Option<String>,
-    /// How velocity is carried between particles and nodes. The default is that of the manuals.
+    /// How velocity is carried between particles and nodes. The default is that of the manuals; MLS is for quadratic B-splines.
     #[schemars(extend(
-        "enum" = ["FLIP", "APIC", "TPIC"], "default" = "FLIP", "examples" = ["APIC"]
+        "enum" = ["FLIP", "APIC", "TPIC", "MLS"], "default" = "FLIP", "examples" = ["APIC"]
     ))]
     pub transfer: Option<String>,
     /// Share of the nodal velocity in the particle velocity.
     #[schemars(extend(
-        "x-unit" = "1", "x-default" = "0 with FLIP, 1 with APIC and TPIC", "minimum" = 0, "maximum" = 1,
+        "x-unit" = "1", "x-default" = "0 with FLIP, 1 with APIC, TPIC and MLS", "minimum" = 0, "maximum" = 1,
         "examples" = [0.01]
     ))]
     pub pic_fraction: Option<f64>,

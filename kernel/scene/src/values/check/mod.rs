@@ -15,7 +15,9 @@ use crate::values::{Results, Scene, SceneError};
 use proctor_geometry::number::Number;
 use proctor_kernel::laws::{Accepted, ConstantDefault};
 use proctor_kernel::layout::Variable;
-use proctor_kernel::model::{Damping, Dimension, PlaneCondition, TimeStep};
+use proctor_kernel::model::{
+    Damping, Dimension, PlaneCondition, TimeStep, VolumetricStrain, Weighting,
+};
 
 impl Scene {
     /// Checks every value of the scene.
@@ -73,6 +75,7 @@ impl Scene {
             }
         }
         problems.range("pic_fraction", self.transfer.pic_fraction, 0.0, 1.0);
+        self.check_least_squares(problems);
         match self.damping {
             Damping::None | Damping::Kinetic => {}
             Damping::Local { alpha } => problems.range("damping.alpha", alpha, 0.0, 1.0),
@@ -80,6 +83,43 @@ impl Scene {
         }
         if self.threads == Some(0) {
             problems.add("n_threads", "0", "a whole number, 1 or more");
+        }
+    }
+
+    /// What gradients of least squares are derived for.
+    fn check_least_squares(&self, problems: &mut Collector) {
+        let transfer = self.transfer.kind.kind();
+        if !transfer.least_squares {
+            return;
+        }
+        if self.weighting != Weighting::QuadraticBSpline {
+            let word = self.weighting.kind().word;
+            problems.add(
+                "transfer",
+                format!("{} with {word}", transfer.word),
+                format!(
+                    "{} with `shape_function` \"quadratic_bspline\", or APIC",
+                    transfer.word
+                ),
+            );
+        }
+        if self.volumetric_strain == VolumetricStrain::CellAverage {
+            problems.add(
+                "volumetric_strain",
+                format!("cell_average with {}", transfer.word),
+                "particle, or `transfer` APIC or TPIC: cell means are those of derivatives",
+            );
+        }
+        if self.transfer.pic_fraction != 1.0 {
+            problems.add(
+                "pic_fraction",
+                format!(
+                    "{} with {}",
+                    Number(self.transfer.pic_fraction),
+                    transfer.word
+                ),
+                "1: its affine velocity carries what FLIP keeps in the particles",
+            );
         }
     }
 
