@@ -1,33 +1,28 @@
 //! Interpolation by differences, where particles reach three nodes along each axis.
 //!
-//! Three weights that sum to one and reproduce linear fields leave two numbers per axis: u = `w_2` - `w_0`, the distance from
-//! the middle node in cells, and s = `w_0` + `w_2`. With the differences b = (`v_2` - `v_0`)/2 and c = (`v_0` - 2 `v_1` + `v_2`)/2 of
-//! three nodal values,
+//! Three weights sum to one and their derivatives to zero, so that with the differences a = `v_0` - `v_1` and b = `v_2` - `v_1` of
+//! three nodal values
 //!
-//! - the value is `v_1` + u b + s c,
-//! - the derivative is (b + s' c)/h with s' = `g_0` + `g_2`,
-//! - the affine velocity `B_p` `D_p`^-1 of APIC is (b + e c)/h with e = u (1 - s)/(s - u²), as `D_p` = h² (s - u²).
+//! - the value is `v_1` + `w_0` a + `w_2` b,
+//! - the derivative is `g_0` a + `g_2` b,
+//! - the affine velocity `B_p` `D_p`^-1 of APIC is `q_0` a + `q_2` b, with q = w (x_I - x_p)/`D_p`.
 //!
-//! All three share their differences, which are additions. They hold for hats, GIMP and B-splines. A value has the same
-//! operations in the same order whether lanes are particles or numbers of a node, and so the same bits.
+//! All three share their differences, which are additions. What an almost empty node has, whose velocity may be as large as one
+//! likes, is multiplied by its own small weight; sums in which it cancels would keep its round-off.
+//!
+//! A value has the same operations in the same order whether lanes are particles or numbers of a node, and so the same bits.
 
 use crate::lanes::Lanes;
-use crate::stage::Mapping;
-use crate::weights::Family;
 
-/// Factors of the differences per axis, and the weights.
+/// Factors of differences per axis, and the weights.
 #[derive(Clone, Copy)]
 pub(super) struct Differences<L> {
     /// Weights.
     pub w: [[L; 3]; 3],
-    /// u/2 and s/2, for twice the differences.
-    pub u: [L; 3],
-    pub s: [L; 3],
-    /// s' of the derivative, and e of the affine velocity.
-    pub slope: [L; 3],
-    pub affine: [L; 3],
-    /// 1/(2 h) \[1/m\].
-    pub scale: [L; 3],
+    /// Derivatives at the outer nodes \[1/m\].
+    pub g: [[L; 2]; 3],
+    /// The factors of the affine velocity \[1/m\].
+    pub q: [[L; 2]; 3],
 }
 
 /// A nodal quantity at particles.
@@ -35,10 +30,10 @@ pub(super) struct Differences<L> {
 pub(super) struct Field<L> {
     /// The quantity.
     pub value: L,
-    /// Twice its derivative times h per axis; with APIC twice its first difference, of which two derivatives are formed.
-    pub first: [L; 3],
-    /// With APIC, twice its second difference per axis.
-    pub second: [L; 3],
+    /// Its derivative per axis; with APIC its differences, of which two derivatives are formed.
+    slope: [L; 3],
+    below: [L; 3],
+    above: [L; 3],
 }
 
 /// Nodal values in lanes.
@@ -48,44 +43,29 @@ pub(super) trait Nodes<L> {
 }
 
 impl<L: Lanes> Differences<L> {
-    /// Those of weights and their derivatives times h.
+    /// Those of weights, derivatives and affine factors.
     #[inline(always)]
-    pub(super) fn new<const D: usize, const N: usize, const APIC: bool>(
-        mapping: &Mapping,
+    pub(super) fn new<const D: usize, const N: usize>(
         w: &[[L; N]; 3],
         g: &[[L; N]; 3],
+        q: &[[L; N]; 3],
     ) -> Self {
-        let (half, one) = (L::splat(0.5), L::splat(1.0));
         let mut of = Self::zero();
         for axis in 0..D {
-            let (u, s) = (w[axis][2] - w[axis][0], w[axis][0] + w[axis][2]);
             of.w[axis] = [w[axis][0], w[axis][1], w[axis][2]];
-            of.u[axis] = half * u;
-            of.s[axis] = half * s;
-            of.slope[axis] = g[axis][0] + g[axis][2];
-            of.scale[axis] = L::splat(0.5 * mapping.inverse_cell[axis]);
-            if APIC {
-                // The affine velocity of hats is their derivative, also where D_p is zero.
-                of.affine[axis] = if mapping.family == Family::Hat {
-                    of.slope[axis]
-                } else {
-                    u * (one - s) / (-u).mul_add(u, s)
-                };
-            }
+            of.g[axis] = [g[axis][0], g[axis][2]];
+            of.q[axis] = [q[axis][0], q[axis][2]];
         }
         of
     }
 
     #[inline(always)]
     pub(super) fn zero() -> Self {
-        let zero = [L::splat(0.0); 3];
+        let zero = L::splat(0.0);
         Self {
-            w: [zero; 3],
-            u: zero,
-            s: zero,
-            slope: zero,
-            affine: zero,
-            scale: zero,
+            w: [[zero; 3]; 3],
+            g: [[zero; 2]; 3],
+            q: [[zero; 2]; 3],
         }
     }
 
@@ -121,15 +101,14 @@ impl<L: Lanes> Differences<L> {
         let mut field = Field::zero();
         self.differ::<APIC>([of[0].value, of[1].value, of[2].value], axis, &mut field);
         for other in axis + 1..D {
-            let firsts = [of[0].first[other], of[1].first[other], of[2].first[other]];
-            field.first[other] = self.weighted(firsts, axis);
             if APIC {
-                let seconds = [
-                    of[0].second[other],
-                    of[1].second[other],
-                    of[2].second[other],
-                ];
-                field.second[other] = self.weighted(seconds, axis);
+                let below = [of[0].below[other], of[1].below[other], of[2].below[other]];
+                let above = [of[0].above[other], of[1].above[other], of[2].above[other]];
+                field.below[other] = self.weighted(below, axis);
+                field.above[other] = self.weighted(above, axis);
+            } else {
+                let slopes = [of[0].slope[other], of[1].slope[other], of[2].slope[other]];
+                field.slope[other] = self.weighted(slopes, axis);
             }
         }
         field
@@ -138,14 +117,14 @@ impl<L: Lanes> Differences<L> {
     /// Value and differences of three values along an axis.
     #[inline(always)]
     fn differ<const APIC: bool>(&self, values: [L; 3], axis: usize, field: &mut Field<L>) {
-        let (below, above) = (values[1] - values[0], values[2] - values[1]);
-        let (first, second) = (below + above, above - below);
-        let linear = self.u[axis].mul_add(first, values[1]);
-        field.value = self.s[axis].mul_add(second, linear);
+        let (below, above) = (values[0] - values[1], values[2] - values[1]);
+        let w = &self.w[axis];
+        field.value = w[2].mul_add(above, w[0].mul_add(below, values[1]));
         if APIC {
-            (field.first[axis], field.second[axis]) = (first, second);
+            (field.below[axis], field.above[axis]) = (below, above);
         } else {
-            field.first[axis] = self.slope[axis].mul_add(second, first);
+            let g = &self.g[axis];
+            field.slope[axis] = g[1].mul_add(above, g[0] * below);
         }
     }
 
@@ -177,26 +156,29 @@ impl<L: Lanes> Differences<L> {
     /// The gradient \[1/m\].
     #[inline(always)]
     pub(super) fn gradient<const D: usize, const APIC: bool>(&self, field: &Field<L>) -> [L; 3] {
-        let mut gradient = field.first;
-        for axis in 0..D {
-            if APIC {
-                gradient[axis] = self.slope[axis].mul_add(field.second[axis], field.first[axis]);
-            }
-            gradient[axis] = self.scale[axis] * gradient[axis];
+        if APIC {
+            combined::<L, D>(&self.g, field)
+        } else {
+            field.slope
         }
-        gradient
     }
 
     /// The affine part \[1/m\].
     #[inline(always)]
     pub(super) fn affine<const D: usize>(&self, field: &Field<L>) -> [L; 3] {
-        let mut affine = field.first;
-        for axis in 0..D {
-            affine[axis] = self.affine[axis].mul_add(field.second[axis], field.first[axis]);
-            affine[axis] = self.scale[axis] * affine[axis];
-        }
-        affine
+        combined::<L, D>(&self.q, field)
     }
+}
+
+/// Differences along each axis times their factors.
+#[inline(always)]
+fn combined<L: Lanes, const D: usize>(factors: &[[L; 2]; 3], field: &Field<L>) -> [L; 3] {
+    let mut slope = field.slope;
+    for axis in 0..D {
+        let [below, above] = factors[axis];
+        slope[axis] = above.mul_add(field.above[axis], below * field.below[axis]);
+    }
+    slope
 }
 
 impl<L: Lanes> Field<L> {
@@ -205,8 +187,9 @@ impl<L: Lanes> Field<L> {
         let zero = L::splat(0.0);
         Self {
             value: zero,
-            first: [zero; 3],
-            second: [zero; 3],
+            slope: [zero; 3],
+            below: [zero; 3],
+            above: [zero; 3],
         }
     }
 }

@@ -31,28 +31,16 @@ pub(super) fn interpolate<
     to: usize,
     values: &mut InterpolatedValues,
 ) {
-    let zero = L::splat(0.0);
-    let (w, mut g) = weights_of::<L, _, D, N, ON_NODES>(columns, mapping, block, at);
+    let [w, g, q] = factors::<L, D, N, APIC, ON_NODES>(columns, mapping, block, at);
     // A particle of a hat that lies on a node has the operations of the others of its group, which reach two nodes.
     if N == 3 && !ON_NODES {
-        let differences = Differences::new::<D, N, APIC>(mapping, &w, &g);
         return interpolate_group::<L, D, KICK, GRADIENT, APIC, UPPER, MOVE, R>(
             mapping,
             reach,
-            &differences,
+            &Differences::new::<D, N>(&w, &g, &q),
             to,
             values,
         );
-    }
-    let mut q = [[zero; N]; 3];
-    for axis in 0..D {
-        let scale = L::splat(mapping.inverse_cell[axis]);
-        for n in 0..N {
-            g[axis][n] = g[axis][n] * scale;
-        }
-        if APIC {
-            q[axis] = affine_weights::<L, N>(mapping, axis, block.f[axis], &w[axis], &g[axis]);
-        }
     }
     let stencil = Stencil::<L, D, N, R>::new(mapping, reach, &w, &g);
     let affine = if APIC {
@@ -78,6 +66,34 @@ pub(super) fn interpolate<
             }
         }
     }
+}
+
+/// Weights, derivatives \[1/m\] and, with APIC, the factors of the affine velocity of a group that begins at particle `at`.
+#[inline(always)]
+pub(super) fn factors<
+    L: Lanes,
+    const D: usize,
+    const N: usize,
+    const APIC: bool,
+    const ON_NODES: bool,
+>(
+    columns: &[&mut [f64]],
+    mapping: &Mapping,
+    block: &Block<L>,
+    at: usize,
+) -> [[[L; N]; 3]; 3] {
+    let (w, mut g) = weights_of::<L, _, D, N, ON_NODES>(columns, mapping, block, at);
+    let mut q = g;
+    for axis in 0..D {
+        let scale = L::splat(mapping.inverse_cell[axis]);
+        for n in 0..N {
+            g[axis][n] = g[axis][n] * scale;
+        }
+        if APIC {
+            q[axis] = affine_weights::<L, N>(mapping, axis, block.f[axis], &w[axis], &g[axis]);
+        }
+    }
+    [w, g, q]
 }
 
 /// One component of the interpolated values.

@@ -12,7 +12,7 @@ mod three_nodes;
 mod update;
 mod values;
 
-use super::{Mapping, block_at, weights_of, whole_from};
+use super::{Mapping, block_at, whole_from};
 use crate::grid::Line;
 use crate::lanes::{Backend, Kernel, Lanes, Quad, Selected};
 use crate::laws::tensor::Configuration;
@@ -20,7 +20,7 @@ use crate::laws::{BLOCK, Block, Gradients, Strain};
 use crate::layout::Layout;
 use crate::model::DomainUpdate;
 use differences::Differences;
-use interpolate::interpolate;
+use interpolate::{factors, interpolate};
 use reach::{Bases, MOST};
 use std::ops::Range;
 use three_nodes::FactorsOfGroup;
@@ -215,7 +215,7 @@ impl<
         let mut maxima = Maxima::<B::Native>::new();
         let mut of_strain = ParticleMaxima::default();
         let mut values = InterpolatedValues::zero();
-        let mut factors = FactorsOfGroup::new();
+        let mut each = FactorsOfGroup::new();
         let mut at = 0;
         while at < end {
             let block = at;
@@ -223,7 +223,7 @@ impl<
                 at += gather::<B::Native, B::Half, D, N, KICK, GRADIENT, APIC, UPPER, MOVE>(
                     &call,
                     at..end,
-                    &mut factors,
+                    &mut each,
                     (at - block, &mut values),
                 );
             }
@@ -277,7 +277,7 @@ fn gather<
 >(
     call: &G2p<'_, '_>,
     Range { start: at, end }: Range<usize>,
-    factors: &mut FactorsOfGroup,
+    each: &mut FactorsOfGroup,
     (to, values): (usize, &mut InterpolatedValues),
 ) -> usize {
     let (columns, mapping, nodes) = (&*call.columns, call.mapping, call.nodes);
@@ -313,9 +313,9 @@ fn gather<
         n if n < 2 || L::WIDTH == 1 => interpolate!(N, 1, false, bases),
         2 => interpolate!(N, 2, false, bases),
         _ if D == 3 && N == 3 => {
-            let (w, g) = weights_of::<L, _, D, N, false>(columns, mapping, &block, at);
-            let differences = Differences::new::<D, N, APIC>(mapping, &w, &g);
-            factors.interpolate_each::<L, Q, D, KICK, GRADIENT, APIC, UPPER, MOVE>(
+            let [w, g, q] = factors::<L, D, N, APIC, false>(columns, mapping, &block, at);
+            let differences = Differences::new::<D, N>(&w, &g, &q);
+            each.interpolate_each::<L, Q, D, KICK, GRADIENT, APIC, UPPER, MOVE>(
                 mapping,
                 nodes,
                 &block,

@@ -125,11 +125,8 @@ impl FactorsOfGroup {
         Self {
             factors: Differences {
                 w: [zero; 3],
-                u: zero,
-                s: zero,
-                slope: zero,
-                affine: zero,
-                scale: zero,
+                g: [[[0.0; 8]; 2]; 3],
+                q: [[[0.0; 8]; 2]; 3],
             },
             index: [0.0; 8],
         }
@@ -147,34 +144,29 @@ impl FactorsOfGroup {
             for n in 0..3 {
                 differences.w[axis][n].store(&mut factors.w[axis][n]);
             }
-            differences.u[axis].store(&mut factors.u[axis]);
-            differences.s[axis].store(&mut factors.s[axis]);
-            differences.slope[axis].store(&mut factors.slope[axis]);
-            if APIC {
-                differences.affine[axis].store(&mut factors.affine[axis]);
+            for end in 0..2 {
+                differences.g[axis][end].store(&mut factors.g[axis][end]);
+                if APIC {
+                    differences.q[axis][end].store(&mut factors.q[axis][end]);
+                }
             }
         }
     }
 
     /// The factors of a particle, in all lanes.
     #[inline(always)]
-    fn of_particle<Q: Lanes, const D: usize, const APIC: bool>(
-        &self,
-        mapping: &Mapping,
-        p: usize,
-    ) -> Differences<Q> {
+    fn of_particle<Q: Lanes, const D: usize, const APIC: bool>(&self, p: usize) -> Differences<Q> {
         let from = &self.factors;
         let mut of = Differences::zero();
         for axis in 0..D {
             for n in 0..3 {
                 of.w[axis][n] = Q::splat(from.w[axis][n][p]);
             }
-            of.u[axis] = Q::splat(from.u[axis][p]);
-            of.s[axis] = Q::splat(from.s[axis][p]);
-            of.slope[axis] = Q::splat(from.slope[axis][p]);
-            of.scale[axis] = Q::splat(0.5 * mapping.inverse_cell[axis]);
-            if APIC {
-                of.affine[axis] = Q::splat(from.affine[axis][p]);
+            for end in 0..2 {
+                of.g[axis][end] = Q::splat(from.g[axis][end][p]);
+                if APIC {
+                    of.q[axis][end] = Q::splat(from.q[axis][end][p]);
+                }
             }
         }
         of
@@ -210,7 +202,7 @@ impl FactorsOfGroup {
             let mut affine = [[zero; 4]; 3];
             for n in 0..(block.count - done).min(4) {
                 let p = done + n;
-                let factors = self.of_particle::<Q, D, APIC>(mapping, p);
+                let factors = self.of_particle::<Q, D, APIC>(p);
                 let stencil = StencilOfParticle {
                     nodes,
                     first: index_of(self.index[p]),
