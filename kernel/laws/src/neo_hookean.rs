@@ -1,7 +1,7 @@
 //! Compressible neo-Hookean elasticity.
 
 use super::tensor::{Matrix, inner};
-use super::{Constant, Increment, Isotropic, Law, Particle, Readable};
+use super::{Constant, Increment, Isotropic, Law, Particle, Readable, Stress};
 use proctor_kernel::lanes::Lanes;
 
 /// Compressible neo-Hookean elasticity: sigma = (mu (F F^T - 1) + lambda ln J 1) / J.
@@ -58,11 +58,11 @@ impl Law for NeoHookean {
     fn update<L: Lanes, const D: usize>(
         &self,
         increment: &Increment<L>,
-        stress: &mut [L; 6],
+        stress: &mut Stress<L, D>,
         _: &mut [L],
     ) -> L {
         let (f, j) = (&increment.deformation, increment.jacobian);
-        *stress = stress_of::<L, D>(self, f, j);
+        *stress.packed_mut() = stress_of::<L, D>(self, f, j);
         speed_squared::<L, D>(self, f, j, increment.density)
     }
 
