@@ -4,7 +4,6 @@
 
 use proctor_scene::prelude::*;
 use std::error::Error;
-use std::sync::Arc;
 
 const SPEED: f64 = 1.0;
 const RATE: f64 = 2.0;
@@ -29,26 +28,22 @@ impl Condition for ViscousLayer {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let mut scene = Scene::plane([20, 16], 0.05).lasting(0.2);
+    let mut scene = Scene::plane([20, 16], 0.05).with_end(0.2);
     let rubber = scene.add_material(LinearElastic::new(1e6, 0.3), 1000.0);
-    for y in [0.1, 0.5] {
+    let blocks = [0.1, 0.5].map(|y| {
         let block = Shape::rectangle([0.1, y], [0.3, y + 0.2]);
-        scene.add_body(block, rubber).velocity = [SPEED, 0.0, 0.0];
-    }
+        let body = scene.add_body(block, rubber);
+        body.with_velocity([SPEED, 0.0]).handle()
+    });
 
     let layer = ViscousLayer {
         rate: RATE,
         top: TOP,
     };
-    let mut simulation = scene.simulate(&Options {
-        conditions: vec![Arc::new(layer)],
-        ..Options::default()
-    })?;
-    while simulation.time() < scene.time {
-        simulation.step(scene.time)?;
-    }
+    let mut simulation = scene.simulate(&Options::default().with_condition(layer))?;
+    simulation.run_until(scene.time)?;
 
-    let [slowed, free] = [0, 1].map(|body| simulation.center(body).2[0]);
+    let [slowed, free] = blocks.map(|body| simulation.center(body).velocity[0]);
     let exact = SPEED * (-RATE * simulation.velocity_time()).exp();
     println!("in the layer {slowed:.6} m/s, exactly {exact:.6} m/s; above it {free:.6} m/s");
     assert!((slowed - exact).abs() < 1e-12, "{slowed} and {exact} m/s");

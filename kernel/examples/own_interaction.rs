@@ -20,10 +20,6 @@ struct Drag {
 }
 
 impl Interaction for Drag {
-    fn boxed(&self) -> Box<dyn Interaction> {
-        Box::new(self.clone())
-    }
-
     fn owners(&self) -> BodyList {
         self.bodies.into_iter().collect()
     }
@@ -56,27 +52,23 @@ impl SlabInteraction for &Drag {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let mut scene = Scene::plane([12, 12], 0.05).lasting(0.2);
-    for (density, speed) in [(2000.0, SPEED), (500.0, -SPEED)] {
+    let mut scene = Scene::plane([12, 12], 0.05).with_end(0.2);
+    let bodies = [(2000.0, SPEED), (500.0, -SPEED)].map(|(density, speed)| {
         let material = scene.add_material(LinearElastic::new(1e5, 0.3), density);
         let block = Shape::rectangle([0.2, 0.2], [0.4, 0.4]);
-        scene.add_body(block, material).velocity = [speed, 0.0, 0.0];
-    }
+        let body = scene.add_body(block, material);
+        body.with_velocity([speed, 0.0]).handle()
+    });
 
     let drag = Drag {
-        bodies: [0, 1],
+        bodies: bodies.map(BodyHandle::place),
         rate: RATE,
     };
-    let mut simulation = scene.simulate(&Options {
-        interactions: vec![Box::new(drag)],
-        ..Options::default()
-    })?;
+    let mut simulation = scene.simulate(&Options::default().with_interaction(drag))?;
     let [before, _, _] = simulation.momentum();
-    while simulation.time() < scene.time {
-        simulation.step(scene.time)?;
-    }
+    simulation.run_until(scene.time)?;
 
-    let [a, b] = [0, 1].map(|body| simulation.center(body).2[0]);
+    let [a, b] = bodies.map(|body| simulation.center(body).velocity[0]);
     let share = (a - b) / (2.0 * SPEED);
     let exact = (-RATE * simulation.velocity_time()).exp();
     let [after, _, _] = simulation.momentum();

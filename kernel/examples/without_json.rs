@@ -12,23 +12,22 @@ const DENSITY: f64 = 2000.0;
 fn main() -> Result<(), Box<dyn Error>> {
     // The planes of the mesh slide: the column stands between them, on the lower one.
     let mut scene = Scene::plane([2, 14], 0.1)
-        .with_gravity([0.0, -GRAVITY, 0.0])
-        .lasting(2.0);
-    scene.damping = Damping::Local { alpha: 0.5 };
+        .with_gravity([0.0, -GRAVITY])
+        .with_damping(Damping::Local { alpha: 0.5 })
+        .with_end(2.0);
     let soil = scene.add_material(LinearElastic::new(1e7, 0.3), DENSITY);
-    scene.add_body(Shape::rectangle([0.0, 0.0], [0.2, HEIGHT]), soil);
+    let rectangle = Shape::rectangle([0.0, 0.0], [0.2, HEIGHT]);
+    let column = scene.add_body(rectangle, soil).handle();
 
     let mut simulation = scene.simulate(&Options::default())?;
-    while simulation.time() < scene.time {
-        simulation.step(scene.time)?;
-    }
+    simulation.run_until(scene.time)?;
 
-    let column = &simulation.sets()[0];
+    let particles = simulation.particles_of(column);
     let mut farthest = 0.0_f64;
-    for p in 0..column.len() {
-        let above = HEIGHT - simulation.position(0, p)[1];
+    for p in 0..particles.len() {
+        let above = HEIGHT - simulation.position(column, p)[1];
         let exact = -DENSITY * GRAVITY * above;
-        farthest = farthest.max((column.stress(p)[1] - exact).abs());
+        farthest = farthest.max((particles.stress(p)[1] - exact).abs());
     }
     // Stress is constant over a particle, so that the weight of one layer of them is what it can be off by.
     let layer = DENSITY * GRAVITY * 0.05;

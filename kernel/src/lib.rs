@@ -1,7 +1,7 @@
 //! The explicit MPM/GIMP cycle and what it needs.
 //!
 //! Flow: [`simulation::Model`] (settings, plan, bodies) and [`simulation::Start`] (particles, interactions) ->
-//! [`simulation::Simulation`] (state and explicit cycle) -> what can be asked of it, and [`simulation::Saved`], its state as one
+//! [`simulation::Cycle`] (state and explicit cycle) -> what can be asked of it, and [`simulation::Saved`], its state as one
 //! plain value.
 //!
 //! It knows no scene, no law of a material, no contact and no file. Laws, conditions and interactions come by the traits

@@ -156,7 +156,7 @@ fn stops(scene: &Scene, what: &str) {
         !scene.tractions.is_empty() || energy.remainder > -0.1 * given,
         "{what}: {energy:?} of {given}"
     );
-    let farthest = simulation.center(0).1[0] / (0.5 * LENGTH);
+    let farthest = simulation.center(0).position[0] / (0.5 * LENGTH);
     assert!(farthest < 1.6, "{what}: the body is torn, {farthest}");
 }
 
@@ -208,7 +208,7 @@ fn a_pulled_bar_holds_with_usl_and_with_affine_velocities() {
                 );
                 // The last cell carries the load, from all of it to none: linear in a first approximation.
                 let way = (exact - 1.0) * (0.5 * LENGTH - 0.5 * H * H / LENGTH / 3.0);
-                let found = simulation.center(0).1[0] - 0.5 * LENGTH;
+                let found = simulation.center(0).position[0] - 0.5 * LENGTH;
                 assert!(
                     (found - way).abs() < 0.02 * exact * 0.5 * LENGTH,
                     "{dimension:?} {weighting:?} {scheme:?} {transfer:?}: {found} {way}"

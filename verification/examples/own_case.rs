@@ -38,7 +38,7 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
     let mut scene = Scene::plane([count, count], h)
         .with_planes(PlaneCondition::Free)
         .with_gravity([0.0, -GRAVITY, 0.0])
-        .lasting(END);
+        .with_end(END);
     scene.time_step = settings.equal_steps(END, h, WAVE_SPEED).0;
     let rubber = scene.add_material(LinearElastic::new(1e6, 0.3), 1e3);
     let block = Shape::Cuboid {
@@ -51,7 +51,7 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
 
 fn compare(run: &mut Run<'_>) -> Found {
     let (gravity, t) = (run.reference.of(&WRONG_GRAVITY) * GRAVITY, run.time());
-    let (_, [_, y, _], _) = run.simulation.center(0);
+    let [_, y, _] = run.simulation.center(0).position;
     let gained = Quantity::compared(HEIGHT, y - 1.5 * SIDE, UP * t - 0.5 * gravity * t * t, "m");
     Found::new(vec![gained], None)
 }

@@ -76,11 +76,11 @@ impl Studied {
     /// The result of a simulation that has run, with the time steps that it took.
     #[must_use]
     pub fn new(found: Found, simulation: &Simulation) -> Self {
-        let (_, dt, dt_critical) = simulation.time_steps();
+        let clock = simulation.clock();
         Self {
             solved: Solved::new(found, simulation),
-            dt,
-            dt_critical,
+            dt: clock.dt_max,
+            dt_critical: clock.dt_critical,
         }
     }
 }

@@ -37,7 +37,7 @@ impl Extents {
         Self {
             bodies: bodies
                 .filter(|_| down.is_some())
-                .map(|place| (place, simulation.body_and_material(place).0))
+                .map(|place| (place, simulation.body(place).id))
                 .collect(),
             down,
             axes,
@@ -73,7 +73,7 @@ impl Extents {
             self.sides().map(move |(axis, side)| {
                 let particles = 0..simulation.sets()[set].len();
                 let masses = particles.map(|p| {
-                    let (mass, _) = simulation.mass_and_volume(set, p);
+                    let mass = simulation.particle_mass(set, p);
                     (side * simulation.position(set, p)[axis], mass)
                 });
                 side * within(masses.collect(), PART)

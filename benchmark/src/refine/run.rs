@@ -194,7 +194,7 @@ impl Recorder {
             .collect();
         for (touched, _) in &impulses {
             let of = match touched {
-                Touched::Body(set) => format!("body{}", simulation.body_and_material(*set).0),
+                Touched::Body(set) => format!("body{}", simulation.body(*set).id),
                 Touched::Surface(surface) => format!("surface{surface}"),
             };
             names.extend(letters.iter().map(|l| format!("{of}_impulse_{l}")));

@@ -18,12 +18,15 @@ pub mod surfaces;
 mod values;
 
 pub use grid::GridContact;
-pub use mortar::{BoundaryDrift, BoundaryVertex, MortarError, MortarState, VertexState};
+pub use mortar::{
+    BoundaryDrift, BoundaryMesh, BoundaryVertex, MortarError, MortarState, VertexState,
+};
 pub use pairs::Tunnelling;
 pub use surfaces::{SurfaceContact, SurfaceContactError};
 pub use values::{
-    BodyBoundary, Contact, ContactNormal, ContactValues, Enforcement, Mortar, MortarContact,
-    PairValues, PlannedBody, RigidFacets, RigidLine, RigidSurface, Vertices,
+    BodyBoundary, BoundaryHandle, Contact, ContactHandle, ContactNormal, ContactValues,
+    Enforcement, Mortar, MortarContact, PairValues, PlannedBody, RigidFacets, RigidLine,
+    RigidSurface, SurfaceHandle, Vertices,
 };
 
 use kinds::ContactType;

@@ -9,7 +9,7 @@ use super::tensor::volume_ratio;
 use super::tensor::{deviator, second_invariant};
 use super::{
     Accepted, AnyLaw, Choice, Constant, ConstantDefault, Increment, Law, LinearElastic, Particle,
-    PressurizedFluid, Readable,
+    PressurizedFluid, Readable, Stress,
 };
 use proctor_kernel::lanes::Lanes;
 use proctor_kernel::layout::Variable;
@@ -115,12 +115,13 @@ impl Law for Bingham {
     fn update<L: Lanes, const D: usize>(
         &self,
         increment: &Increment<L>,
-        stress: &mut [L; 6],
+        stress: &mut Stress<L, D>,
         variables: &mut [L],
     ) -> L {
         let j = increment.volume / increment.mass * L::splat(increment.density);
         let (pressure, slope) = self.state.pressure(j);
         self.elastic.update::<L, D>(increment, stress, &mut []);
+        let stress = stress.packed_mut();
         let (_, mut s) = deviator::<L, D>(stress);
         let mut limit = L::splat(self.yield_stress);
         let mut softness = L::splat(1.0 / self.shear());

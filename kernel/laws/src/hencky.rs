@@ -2,7 +2,7 @@
 
 use super::principal::spectrum;
 use super::tensor::{Matrix, inner};
-use super::{Constant, Increment, Isotropic, Law, Particle, Readable};
+use super::{Constant, Increment, Isotropic, Law, Particle, Readable, Stress};
 use proctor_kernel::lanes::{Backend, Kernel, Lanes, Selected, functions};
 
 /// Hencky's elasticity: Kirchhoff stress tau = J sigma = lambda tr(e) 1 + 2 mu e of the logarithmic strain e = ln(F F^T)/2.
@@ -83,7 +83,7 @@ impl Law for Hencky {
     fn update<L: Lanes, const D: usize>(
         &self,
         increment: &Increment<L>,
-        stress: &mut [L; 6],
+        stress: &mut Stress<L, D>,
         _: &mut [L],
     ) -> L {
         let b = spectrum::<L, D>(&left_cauchy_green::<L, D>(&increment.deformation));
@@ -96,7 +96,7 @@ impl Law for Hencky {
         for value in &mut values {
             *value = mu2.mul_add(*value, swelling) * share;
         }
-        *stress = b.with::<D>(&values);
+        *stress.packed_mut() = b.with::<D>(&values);
         self.speed_squared(&strain, increment.density)
     }
 

@@ -10,6 +10,7 @@
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
 mod band;
+mod check;
 mod elasticity;
 mod gap;
 mod marks;
@@ -20,6 +21,7 @@ mod state;
 mod strength;
 
 pub use band::Band;
+pub use check::{LawFault, LawProperty, check_law};
 pub use drucker_prager::ConeMatch;
 pub use elasticity::Isotropic;
 pub use gap::{GAP, TensionApex};
@@ -28,9 +30,9 @@ pub use mohr_coulomb::{Residual, Softening};
 pub use plastic::{ReturnedStress, Yielding};
 pub use pressurized_fluid::PressurizedFluid;
 pub use proctor_kernel::laws::{
-    Accepted, AnyLaw, BLOCK, Block, Choice, Constant, ConstantDefault, Curve, Gradients, Increment,
-    InvalidConstant, Law, LawType, Particle, Point, PointFault, Readable, Rows, StoredParticle,
-    Strain, StrainRange, Strained, UNDEFORMED, UNPRESSED, tensor,
+    Accepted, AnyLaw, BLOCK, Block, Choice, Component, Constant, ConstantDefault, Curve, Gradients,
+    Increment, InvalidConstant, Law, LawType, Particle, Point, PointFault, Readable, Rows,
+    StoredParticle, Strain, StrainRange, Strained, Stress, UNDEFORMED, UNPRESSED, tensor,
 };
 pub use state::EquationOfState;
 

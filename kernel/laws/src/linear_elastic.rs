@@ -1,7 +1,7 @@
 //! Linear elasticity in the rate of deformation (hypoelastic).
 
 use super::tensor::{Configuration, Matrix, VOIGT, inverse, one_plus, product, rotate};
-use super::{Choice, Constant, Increment, Isotropic, Law, Particle, Readable, StrainRange};
+use super::{Choice, Constant, Increment, Isotropic, Law, Particle, Readable, StrainRange, Stress};
 use proctor_kernel::lanes::Lanes;
 
 /// Objective stress rate of the hypoelastic law.
@@ -127,9 +127,10 @@ impl Law for LinearElastic {
     fn update<L: Lanes, const D: usize>(
         &self,
         increment: &Increment<L>,
-        stress: &mut [L; 6],
+        stress: &mut Stress<L, D>,
         _: &mut [L],
     ) -> L {
+        let stress = stress.packed_mut();
         *stress = hypoelastic::<L, D>(self, &increment.gradient, increment.configuration, stress);
         L::splat(self.elasticity.lambda + 2.0 * self.elasticity.shear)
             * (increment.volume / increment.mass)

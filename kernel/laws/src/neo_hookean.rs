@@ -1,7 +1,7 @@
 //! Compressible neo-Hookean elasticity.
 
 use super::tensor::{Matrix, inner};
-use super::{Constant, Increment, Isotropic, Law, Particle, Readable};
+use super::{Constant, Increment, Isotropic, Law, Particle, Readable, Stress};
 use proctor_kernel::lanes::Lanes;
 use proctor_kernel::lanes::functions::ln;
 
@@ -59,12 +59,12 @@ impl Law for NeoHookean {
     fn update<L: Lanes, const D: usize>(
         &self,
         increment: &Increment<L>,
-        stress: &mut [L; 6],
+        stress: &mut Stress<L, D>,
         _: &mut [L],
     ) -> L {
         let (f, j) = (&increment.deformation, increment.jacobian);
         let ln_j = ln(j);
-        *stress = stress_of::<L, D>(self, f, (j, ln_j));
+        *stress.packed_mut() = stress_of::<L, D>(self, f, (j, ln_j));
         speed_squared::<L, D>(self, f, ln_j, increment.density)
     }
 

@@ -7,7 +7,7 @@ use super::tensor::components;
 use super::tensor::{deviator, second_invariant};
 use super::{
     Accepted, AnyLaw, Choice, Constant, ConstantDefault, Increment, Law, Particle,
-    PressurizedFluid, Readable,
+    PressurizedFluid, Readable, Stress,
 };
 use proctor_kernel::lanes::Lanes;
 use proctor_kernel::layout::Variable;
@@ -103,11 +103,12 @@ impl Law for Newtonian {
     fn update<L: Lanes, const D: usize>(
         &self,
         increment: &Increment<L>,
-        stress: &mut [L; 6],
+        stress: &mut Stress<L, D>,
         variables: &mut [L],
     ) -> L {
         let j = increment.volume / increment.mass * L::splat(increment.density);
         let (pressure, slope) = self.state.pressure(j);
+        let stress = stress.packed_mut();
         *stress = [L::splat(0.0); 6];
         if self.viscosity > 0.0 && increment.dt > 0.0 {
             let e = strain::<L, D>(increment);

@@ -8,7 +8,7 @@ use super::linear_elastic::strain;
 use super::tensor::components;
 use super::{
     Constant, ConstantDefault, Curve, Increment, InvalidConstant, Isotropic, Law, LinearElastic,
-    Rows,
+    Rows, Stress,
 };
 use proctor_kernel::lanes::Lanes;
 use proctor_kernel::layout::Variable;
@@ -163,7 +163,7 @@ macro_rules! yielding_law {
             fn update<L: $crate::kernel::lanes::Lanes, const D: usize>(
                 &self,
                 increment: &$crate::Increment<L>,
-                stress: &mut [L; 6],
+                stress: &mut $crate::Stress<L, D>,
                 variables: &mut [L],
             ) -> L {
                 $crate::plastic::update::<Self, L, D>(self, increment, stress, variables)
@@ -193,12 +193,13 @@ macro_rules! yielding_law {
 pub fn update<Y: Yielding, L: Lanes, const D: usize>(
     law: &Y,
     increment: &Increment<L>,
-    stress: &mut [L; 6],
+    stress: &mut Stress<L, D>,
     variables: &mut [L],
 ) -> L {
     let zero = L::splat(0.0);
     let elasticity = law.elastic().elasticity();
     let mut speed_squared = law.elastic().update::<L, D>(increment, stress, &mut []);
+    let stress = stress.packed_mut();
     let begins_parted = parted::<L, Y>(variables);
     let (mut closed, mut before) = (zero, zero);
     if let (true, Some(gap)) = (begins_parted, Y::GAP) {

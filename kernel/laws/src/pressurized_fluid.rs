@@ -4,7 +4,7 @@
 //! from its volume; so each particle remembers the volume that it has without pressure, and its law sees that volume as the
 //! one at the start.
 
-use super::{Constant, Increment, Law, Particle, UNPRESSED};
+use super::{Constant, Increment, Law, Particle, Stress, UNPRESSED};
 use proctor_kernel::lanes::Lanes;
 use proctor_kernel::layout::Variable;
 
@@ -65,7 +65,7 @@ impl<F: Law> Law for PressurizedFluid<F> {
     fn update<L: Lanes, const D: usize>(
         &self,
         increment: &Increment<L>,
-        stress: &mut [L; 6],
+        stress: &mut Stress<L, D>,
         variables: &mut [L],
     ) -> L {
         let unpressed = variables[PLACE];

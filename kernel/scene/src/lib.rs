@@ -7,17 +7,15 @@
 //! use proctor_scene::prelude::*;
 //!
 //! // A block of 0.2 m falls freely for a tenth of a second.
-//! let mut scene = Scene::plane([8, 16], 0.05).with_gravity([0.0, -10.0, 0.0]);
+//! let mut scene = Scene::plane([8, 16], 0.05).with_gravity([0.0, -10.0]);
 //! let rubber = scene.add_material(LinearElastic::new(1e6, 0.3), 1000.0);
-//! scene.add_body(Shape::rectangle([0.1, 0.5], [0.3, 0.7]), rubber);
+//! let block = scene.add_body(Shape::rectangle([0.1, 0.5], [0.3, 0.7]), rubber).handle();
 //!
 //! let mut simulation = scene.simulate(&Options::default())?;
-//! while simulation.time() < 0.1 {
-//!     simulation.step(0.1)?;
-//! }
-//! let (mass, center, _) = simulation.center(0);
-//! assert!((mass - 40.0).abs() < 1e-9);
-//! assert!((center[1] - (0.6 - 0.5 * 10.0 * 0.1 * 0.1)).abs() < 1e-9);
+//! simulation.run_until(0.1)?;
+//! let center = simulation.center(block);
+//! assert!((center.mass - 40.0).abs() < 1e-9);
+//! assert!((center.position[1] - (0.6 - 0.5 * 10.0 * 0.1 * 0.1)).abs() < 1e-9);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
@@ -36,13 +34,13 @@ mod start_error;
 mod values;
 
 pub use values::{
-    Body, Field, InitialStress, Location, MOST_CREEP, Material, NodalField, Probe, Problem,
-    Results, Scene, SceneError,
+    Body, BodyEntry, Field, InitialStress, Location, MOST_CREEP, Material, NodalField, Probe,
+    Problem, Results, Scene, SceneError,
 };
 // What a scene is made of beside its own values.
 pub use proctor_contact::{
-    BodyBoundary, Contact, ContactNormal, Enforcement, Mortar, MortarContact, RigidFacets,
-    RigidLine, RigidSurface, Vertices,
+    BodyBoundary, BoundaryHandle, Contact, ContactHandle, ContactNormal, Enforcement, Mortar,
+    MortarContact, RigidFacets, RigidLine, RigidSurface, SurfaceHandle, Vertices,
 };
 pub use proctor_kernel::model::{
     BaseMotion, BoxLoad, Damping, Dimension, DomainUpdate, HeldBox, History, Mesh, Motion,
@@ -57,7 +55,8 @@ pub mod simulation {
     pub use crate::setup::{InitialField, InitialState, MemoryEstimate, Options, estimate_memory};
     pub use crate::start_error::StartError;
     pub use proctor_contact::{
-        BoundaryDrift, BoundaryVertex, MortarError, SurfaceContactError, Tunnelling, VertexState,
+        BoundaryDrift, BoundaryMesh, BoundaryVertex, MortarError, SurfaceContactError, Tunnelling,
+        VertexState,
     };
     pub use proctor_kernel::simulation::*;
 }

@@ -2,18 +2,18 @@
 
 pub use crate::running::Simulation;
 pub use crate::setup::{InitialState, Options};
-pub use crate::values::{Body, Scene};
-pub use proctor_contact::{Contact, ContactNormal};
+pub use crate::values::{Body, BodyEntry, Scene};
+pub use proctor_contact::{Contact, ContactHandle, ContactNormal, SurfaceHandle};
 pub use proctor_kernel::lanes::Lanes;
-pub use proctor_kernel::laws::{AnyLaw, Increment, Law, Particle};
+pub use proctor_kernel::laws::{AnyLaw, Component, Increment, Law, Particle, Point, Stress};
 pub use proctor_kernel::layout::Variable;
 pub use proctor_kernel::model::{
     Damping, Dimension, History, Mesh, PlaneCondition, Shape, StressScheme, TimeStep, Transfer,
     TransferKind, Vector, VolumetricStrain, Weighting,
 };
 pub use proctor_kernel::simulation::{
-    BodyList, Condition, EmptyNode, FieldNodes, Grid, Interaction, InteractionError,
+    BodyHandle, BodyList, Condition, EmptyNode, FieldNodes, Grid, Interaction, InteractionError,
     InteractionFault, NodalConditions, Node, PairList, PlaneSums, Slab, SlabInteraction, SlabPart,
     StepContext, StepError, StepInfo, StepUpdate, StepView, VelocityMapping,
 };
-pub use proctor_laws::{Hencky, LinearElastic, NeoHookean, ObjectiveRate};
+pub use proctor_laws::{Hencky, LinearElastic, NeoHookean, ObjectiveRate, check_law};

@@ -1,32 +1,34 @@
-//! A scene in motion: the scene and its simulation, with what contact tells of itself.
+//! Simulation of a scene: the scene and its explicit cycle, with the queries of contact.
 
 use crate::setup::{Options, set_up};
 use crate::start_error::StartError;
 use crate::values::Scene;
 use proctor_contact::geometry::surface::NearestPoint;
-use proctor_contact::{BoundaryDrift, BoundaryVertex, VertexState, queries};
+use proctor_contact::{
+    BoundaryDrift, BoundaryHandle, BoundaryMesh, ContactHandle, SurfaceHandle, VertexState, queries,
+};
 use proctor_kernel::model::{Damping, History, Vector};
-use proctor_kernel::simulation::{self as cycle, SetupError};
+use proctor_kernel::simulation::{BodyHandle, Cycle, SetupError};
 use std::ops::{Deref, DerefMut};
 
-/// A scene in motion: the [`Simulation`](cycle::Simulation) of the kernel, and the scene that it was made of.
+/// Simulation of a scene: the scene, and the explicit [`Cycle`] of the kernel that was made of it.
 ///
 /// A change between two stages changes the scene with it, so that a checkpoint of a later stage belongs to the changed scene.
 pub struct Simulation {
     scene: Scene,
-    cycle: cycle::Simulation,
+    cycle: Cycle,
 }
 
 impl Deref for Simulation {
-    type Target = cycle::Simulation;
+    type Target = Cycle;
 
-    fn deref(&self) -> &cycle::Simulation {
+    fn deref(&self) -> &Cycle {
         &self.cycle
     }
 }
 
 impl DerefMut for Simulation {
-    fn deref_mut(&mut self) -> &mut cycle::Simulation {
+    fn deref_mut(&mut self) -> &mut Cycle {
         &mut self.cycle
     }
 }
@@ -61,7 +63,7 @@ impl Simulation {
         &self.scene
     }
 
-    /// Sets the acceleration of gravity \[m/s²\] from here on: see [`set_gravity`](cycle::Simulation::set_gravity).
+    /// Sets the acceleration of gravity \[m/s²\] from here on: see [`set_gravity`](Cycle::set_gravity).
     ///
     /// # Errors
     /// A component that is not finite, or one along an axis that does not exist.
@@ -71,11 +73,16 @@ impl Simulation {
         Ok(())
     }
 
-    /// Sets the coefficient of friction of the contact with identifier `contact` from here on, on the grid or by mortar.
+    /// Sets the coefficient of friction of a contact from here on, on the grid or by mortar.
     ///
     /// # Errors
     /// No such contact, or a coefficient that is negative or not a number; for mortar contact also an infinite one.
-    pub fn set_friction(&mut self, contact: i64, friction: f64) -> Result<(), SetupError> {
+    pub fn set_friction(
+        &mut self,
+        contact: impl Into<ContactHandle>,
+        friction: f64,
+    ) -> Result<(), SetupError> {
+        let contact = contact.into();
         if friction.is_nan() || friction < 0.0 {
             return Err(refused(
                 "friction",
@@ -83,14 +90,14 @@ impl Simulation {
             ));
         }
         let mut on_grid = self.scene.contacts.iter_mut();
-        if let Some(entry) = on_grid.find(|c| c.id == contact) {
+        if let Some(entry) = on_grid.find(|c| c.id == contact.id()) {
             entry.friction = friction;
         } else {
             let mut by_mortar = self.scene.mortar.contacts.iter_mut();
-            let Some(entry) = by_mortar.find(|c| c.id == contact) else {
+            let Some(entry) = by_mortar.find(|c| c.id == contact.id()) else {
                 return Err(refused(
                     "contact",
-                    &format!("{contact}, which no contact has as its id"),
+                    &format!("{}, which no contact has as its id", contact.id()),
                 ));
             };
             if friction.is_infinite() {
@@ -105,15 +112,16 @@ impl Simulation {
         Ok(())
     }
 
-    /// Sets the coefficient of friction of a rigid surface, by its place in the scene, from here on.
+    /// Sets the coefficient of friction of a rigid surface from here on.
     ///
     /// # Errors
     /// No such surface, or a coefficient that is negative or not finite.
     pub fn set_surface_friction(
         &mut self,
-        surface: usize,
+        surface: impl Into<SurfaceHandle>,
         friction: f64,
     ) -> Result<(), SetupError> {
+        let surface = surface.into();
         if !friction.is_finite() || friction < 0.0 {
             return Err(refused(
                 "friction",
@@ -121,10 +129,13 @@ impl Simulation {
             ));
         }
         let count = self.scene.surfaces.len();
-        let Some(entry) = self.scene.surfaces.get_mut(surface) else {
+        let Some(entry) = self.scene.surfaces.get_mut(surface.place()) else {
             return Err(refused(
                 "surface",
-                &format!("{surface}; accepted: below {count}, the number of surfaces"),
+                &format!(
+                    "{}; accepted: below {count}, the number of surfaces",
+                    surface.place()
+                ),
             ));
         };
         entry.friction = friction;
@@ -132,17 +143,18 @@ impl Simulation {
         Ok(())
     }
 
-    /// Prescribes the velocity of the body with identifier `body` from here on, or with `None` releases it: see
-    /// [`set_motion`](cycle::Simulation::set_motion).
+    /// Prescribes the velocity of a body from here on, or with `None` releases it: see
+    /// [`set_motion`](Cycle::set_motion).
     ///
     /// # Errors
     /// No such body, or a history that is empty or not finite or whose times do not increase.
-    pub fn set_motion(&mut self, body: i64, motion: Option<History>) -> Result<(), SetupError> {
+    pub fn set_motion(
+        &mut self,
+        body: BodyHandle,
+        motion: Option<History>,
+    ) -> Result<(), SetupError> {
         self.cycle.set_motion(body, motion.clone())?;
-        let mut bodies = self.scene.bodies.iter_mut();
-        if let Some(entry) = bodies.find(|b| b.id == body) {
-            entry.motion = motion;
-        }
+        self.scene.bodies[body.place()].motion = motion;
         Ok(())
     }
 
@@ -158,44 +170,48 @@ impl Simulation {
 
     /// Contact force on a body in the last step \[N\]: see [`contact_force`](queries::contact_force).
     #[must_use]
-    pub fn contact_force(&self, set: usize) -> Vector {
-        queries::contact_force(self, set)
+    pub fn contact_force(&self, body: impl Into<BodyHandle>) -> Vector {
+        queries::contact_force(self, body.into())
     }
 
     /// True for a body in a pair that can touch, or where there are rigid surfaces.
     #[must_use]
-    pub fn has_contact(&self, set: usize) -> bool {
-        queries::has_contact(self, set)
+    pub fn has_contact(&self, body: impl Into<BodyHandle>) -> bool {
+        queries::has_contact(self, body.into())
     }
 
     /// Displacement of a rigid surface since the start at a time \[m\].
     #[must_use]
-    pub fn surface_shift(&self, surface: usize, time: f64) -> Vector {
-        queries::surface_shift(self, surface, time)
+    pub fn surface_shift(&self, surface: impl Into<SurfaceHandle>, time: f64) -> Vector {
+        queries::surface_shift(self, surface.into(), time)
     }
 
     /// Gap between a particle and a rigid surface \[m\], and the point of the surface, where it is less than `within`.
     #[must_use]
     pub fn surface_gap(
         &self,
-        surface: usize,
-        set: usize,
+        surface: impl Into<SurfaceHandle>,
+        body: impl Into<BodyHandle>,
         p: usize,
         within: f64,
     ) -> Option<(f64, NearestPoint)> {
-        queries::surface_gap(self, surface, [set, p], within)
+        queries::surface_gap(self, surface.into(), body.into(), p, within)
     }
 
     /// Force of the bodies on a rigid surface in the last step \[N\].
     #[must_use]
-    pub fn surface_force(&self, surface: usize) -> Vector {
-        queries::surface_force(self, surface)
+    pub fn surface_force(&self, surface: impl Into<SurfaceHandle>) -> Vector {
+        queries::surface_force(self, surface.into())
     }
 
     /// Impulse of a rigid surface on a body since the start \[N s\].
     #[must_use]
-    pub fn surface_impulse(&self, surface: usize, set: usize) -> Vector {
-        queries::surface_impulse(self, surface, set)
+    pub fn surface_impulse(
+        &self,
+        surface: impl Into<SurfaceHandle>,
+        body: impl Into<BodyHandle>,
+    ) -> Vector {
+        queries::surface_impulse(self, surface.into(), body.into())
     }
 
     /// The vertex that drifted farthest off its body, of those of bodies that move freely; `None` where there is none.
@@ -212,26 +228,26 @@ impl Simulation {
 
     /// The vertices of all boundaries, rigid lines and rigid surfaces of mortar contact, and the edges between them.
     #[must_use]
-    pub fn boundaries(&self) -> (Vec<BoundaryVertex>, Vec<[usize; 2]>) {
+    pub fn boundaries(&self) -> BoundaryMesh {
         queries::boundaries(self)
     }
 
     /// Vertices of the slave of a mortar contact as of the last detection.
     #[must_use]
-    pub fn mortar_vertices(&self, contact: i64) -> Option<Vec<VertexState>> {
-        queries::mortar_vertices(self, contact)
+    pub fn mortar_vertices(&self, contact: impl Into<ContactHandle>) -> Option<Vec<VertexState>> {
+        queries::mortar_vertices(self, contact.into())
     }
 
     /// Vertices of the boundary of a body, or of a rigid line or surface, in the coordinates of the scene \[m\].
     #[must_use]
-    pub fn boundary_vertices(&self, id: i64) -> Option<Vec<Vector>> {
-        queries::boundary_vertices(self, id)
+    pub fn boundary_vertices(&self, boundary: impl Into<BoundaryHandle>) -> Option<Vec<Vector>> {
+        queries::boundary_vertices(self, boundary.into())
     }
 
     /// Mortar contact force on the vertices of a body, or of a rigid line or surface, in the last step \[N\].
     #[must_use]
-    pub fn mortar_force(&self, id: i64) -> Option<Vector> {
-        queries::mortar_force(self, id)
+    pub fn mortar_force(&self, boundary: impl Into<BoundaryHandle>) -> Option<Vector> {
+        queries::mortar_force(self, boundary.into())
     }
 
     /// Energy stored in the normal laws of mortar contact as of the last detection \[J\].

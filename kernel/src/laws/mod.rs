@@ -8,6 +8,7 @@ mod constants;
 mod point;
 mod stored_particle;
 mod strain;
+mod stress;
 pub mod tensor;
 
 pub use any::{AnyLaw, LawType, Readable};
@@ -16,6 +17,7 @@ pub use point::{Point, PointFault};
 pub use stored_particle::StoredParticle;
 pub(crate) use strain::MOST_LANES;
 pub use strain::{BLOCK, Block, Gradients, Strain, Strained};
+pub use stress::{Component, Stress};
 
 use crate::lanes::Lanes;
 use crate::layout::Variable;
@@ -119,12 +121,12 @@ pub trait Law: fmt::Debug + PartialEq + Send + Sync + 'static {
     /// Stress and internal variables after a strain increment; returns the square of the speed of the fastest wave
     /// \[m²/s²\], on which the next time step depends. Must be `#[inline(always)]`.
     ///
-    /// `stress` is xx, yy, zz, yz, xz, xy in space, and xx, yy, zz, xy in its first four entries in the plane \[Pa\].
+    /// A component of `stress` has the same name in the plane and in space: `stress[Component::XY]` is the in-plane shear.
     /// `variables` are the components of [`Law::VARIABLES`] one after the other.
     fn update<L: Lanes, const D: usize>(
         &self,
         increment: &Increment<L>,
-        stress: &mut [L; 6],
+        stress: &mut Stress<L, D>,
         variables: &mut [L],
     ) -> L;
 

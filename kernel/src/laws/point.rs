@@ -1,16 +1,19 @@
 //! One material point without a grid: a law under a path of strain, and the strains that a path of stress asks for.
 
-use super::{AnyLaw, Block, Gradients, Particle, UNDEFORMED};
+use super::{AnyLaw, Block, Component, Gradients, Particle, UNDEFORMED};
 use crate::lanes::Selected;
 use crate::laws::tensor::Configuration;
 use crate::layout::{Layout, Optional};
 use nalgebra::Matrix3;
 use std::fmt;
 
-/// A point of a material in space, by the same code that strains particles.
+/// A point of a material, by the same code that strains particles.
 #[derive(Clone, Debug)]
 pub struct Point {
     law: AnyLaw,
+    axes: usize,
+    /// Initial volume \[m³\].
+    size: f64,
     layout: Layout,
     columns: Vec<Vec<f64>>,
     density: f64,
@@ -38,17 +41,29 @@ impl fmt::Display for PointFault {
 impl std::error::Error for PointFault {}
 
 impl Point {
-    /// A point at rest, of 1 m³ of a law and an initial density \[kg/m³\], under an initial stress xx, yy, zz, yz, xz, xy
-    /// \[Pa\].
+    /// A point in space at rest, of 1 m³ of a law and an initial density \[kg/m³\], under an initial stress xx, yy, zz, yz,
+    /// xz, xy \[Pa\].
     #[must_use]
     pub fn new(law: &AnyLaw, density: f64, stress: [f64; 6]) -> Self {
+        Self::with_axes(3, law, density, stress)
+    }
+
+    /// The same in plane strain: yz and xz of the stress are of no account.
+    #[must_use]
+    pub fn plane(law: &AnyLaw, density: f64, stress: [f64; 6]) -> Self {
+        Self::with_axes(2, law, density, stress)
+    }
+
+    fn with_axes(axes: usize, law: &AnyLaw, density: f64, stress: [f64; 6]) -> Self {
         let wanted = Optional {
             deformation: true,
             ..Optional::default()
         };
-        let layout = Layout::new(3, wanted, law.variables());
+        let layout = Layout::new(axes, wanted, law.variables());
         let mut point = Self {
             law: law.clone(),
+            axes,
+            size: 1.0,
             layout,
             columns: vec![vec![0.0]; layout.columns],
             density,
@@ -62,15 +77,17 @@ impl Point {
     /// Begins anew, at rest under another initial stress.
     pub fn begin(&mut self, stress: [f64; 6]) {
         self.time = 0.0;
-        self.columns[Layout::MASS][0] = self.density;
+        self.columns[Layout::MASS][0] = self.density * self.size;
         let mean = (stress[0] + stress[1] + stress[2]) / 3.0;
-        self.columns[Layout::VOLUME][0] = self.law.initial_volume_ratio(mean);
-        for (i, value) in stress.into_iter().enumerate() {
-            self.columns[Layout::stress(3) + i][0] = value;
+        self.columns[Layout::VOLUME][0] = self.law.initial_volume_ratio(mean) * self.size;
+        for (i, component) in self.components().iter().enumerate() {
+            self.columns[Layout::stress(self.axes) + i][0] = stress[component.place()];
         }
         if let Some(first) = self.layout.deformation {
-            for (i, value) in UNDEFORMED.into_iter().flatten().enumerate() {
-                self.columns[first + i][0] = value;
+            for a in 0..self.axes {
+                for b in 0..self.axes {
+                    self.columns[first + self.axes * a + b][0] = UNDEFORMED[a][b];
+                }
             }
         }
         let mut at = self.layout.variables;
@@ -82,20 +99,41 @@ impl Point {
         }
     }
 
+    /// Components of the stress that it keeps, in the order of its columns.
+    fn components(&self) -> &'static [Component] {
+        if self.axes == 2 {
+            &[Component::XX, Component::YY, Component::ZZ, Component::XY]
+        } else {
+            &Component::ALL
+        }
+    }
+
+    /// The same, at rest, with another initial volume \[m³\].
+    #[must_use]
+    pub fn of_volume(mut self, volume: f64) -> Self {
+        let stress = self.stress();
+        self.size = volume;
+        self.begin(stress);
+        self
+    }
+
     /// The same on other lanes.
     #[must_use]
     pub fn on(self, lanes: Selected) -> Self {
         Self { lanes, ..self }
     }
 
-    /// A step of `dt` \[s\] with a velocity gradient \[1/s\], row by row, at the configuration before it.
+    /// A step of `dt` \[s\] at the configuration before it, with a velocity gradient \[1/s\], row by row; in the plane its leading
+    /// 2 x 2 block counts.
     ///
     /// # Errors
     /// Where the law gives no finite stress, or no volume is left.
     pub fn step(&mut self, gradient: &[[f64; 3]; 3], dt: f64) -> Result<(), PointFault> {
         let mut gradients = Gradients::zero();
-        for (i, value) in gradient.iter().flatten().enumerate() {
-            gradients.0[i][0] = *value;
+        for a in 0..self.axes {
+            for b in 0..self.axes {
+                gradients.0[self.axes * a + b][0] = gradient[a][b];
+            }
         }
         let mut columns: Vec<&mut [f64]> = self.columns.iter_mut().map(Vec::as_mut_slice).collect();
         let strained = self.law.strain(
@@ -148,7 +186,11 @@ impl Point {
     /// Cauchy stress xx, yy, zz, yz, xz, xy \[Pa\].
     #[must_use]
     pub fn stress(&self) -> [f64; 6] {
-        std::array::from_fn(|i| self.columns[Layout::stress(3) + i][0])
+        let mut stress = [0.0; 6];
+        for (i, component) in self.components().iter().enumerate() {
+            stress[component.place()] = self.columns[Layout::stress(self.axes) + i][0];
+        }
+        stress
     }
 
     /// Deformation gradient.
@@ -157,13 +199,19 @@ impl Point {
         let Some(first) = self.layout.deformation else {
             return UNDEFORMED;
         };
-        std::array::from_fn(|a| std::array::from_fn(|b| self.columns[first + 3 * a + b][0]))
+        let mut deformation = UNDEFORMED;
+        for a in 0..self.axes {
+            for b in 0..self.axes {
+                deformation[a][b] = self.columns[first + self.axes * a + b][0];
+            }
+        }
+        deformation
     }
 
     /// Volume over initial volume.
     #[must_use]
     pub fn volume(&self) -> f64 {
-        self.columns[Layout::VOLUME][0]
+        self.columns[Layout::VOLUME][0] / self.size
     }
 
     /// Internal variables, the components of the law's one after the other.
@@ -192,16 +240,17 @@ impl Point {
     }
 
     fn particle(&self, ask: impl Fn(&AnyLaw, &Particle<'_>) -> f64) -> f64 {
-        ask(
+        let of_point = ask(
             &self.law,
             &Particle {
-                mass: self.density,
-                volume: self.volume(),
+                mass: self.columns[Layout::MASS][0],
+                volume: self.columns[Layout::VOLUME][0],
                 density: self.density,
                 stress: self.stress(),
                 deformation: self.deformation(),
                 variables: &self.variables(),
             },
-        )
+        );
+        of_point / self.size
     }
 }

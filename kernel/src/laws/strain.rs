@@ -6,6 +6,7 @@ use super::tensor::{
 };
 use super::{
     Constant, Curve, Increment, InvalidConstant, Law, Particle, Rows, StoredParticle, StrainRange,
+    Stress,
 };
 use crate::lanes::{Backend, Kernel, Lanes, Selected, load, store};
 use crate::layout::{Layout, Variable};
@@ -239,8 +240,8 @@ impl<M: Law> Kernel for RestWaveSpeed<'_, M> {
                 *value = B::Native::splat(*given);
             }
         }
-        let mut stress = [zero; 6];
-        for (value, given) in stress.iter_mut().zip(&particle.stress) {
+        let mut stress = Stress::of_packed([zero; 6]);
+        for (value, given) in stress.packed_mut().iter_mut().zip(&particle.stress) {
             *value = B::Native::splat(*given);
         }
         let mut variables = [zero; MOST_VARIABLES];
@@ -354,11 +355,11 @@ fn group<L: Lanes, M: Law, const D: usize>(
 
     let components_of_stress = const { Layout::stress_components_of(D) };
     let of_stress = Layout::stress(D)..Layout::stress(D) + components_of_stress;
-    let mut stress = [zero; 6];
+    let mut stress = Stress::of_packed([zero; 6]);
     if !M::NEEDS_DEFORMATION {
         let columns = &block.columns[of_stress.clone()];
         for i in 0..components_of_stress {
-            stress[i] = load(columns[i], at, count);
+            stress.packed_mut()[i] = load(columns[i], at, count);
         }
     }
     let count_of_variables = const { components(M::VARIABLES) };
@@ -385,8 +386,8 @@ fn group<L: Lanes, M: Law, const D: usize>(
     let mut finite = zero;
     let columns = &mut block.columns[of_stress];
     for i in 0..components_of_stress {
-        store(stress[i], columns[i], at, count);
-        finite = stress[i].mul_add(zero, finite);
+        store(stress.packed()[i], columns[i], at, count);
+        finite = stress.packed()[i].mul_add(zero, finite);
     }
     for i in 0..count_of_variables {
         store(

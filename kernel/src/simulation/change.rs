@@ -4,11 +4,11 @@
 //! local damping until the block is at rest, then `set_local_damping(None)`, `set_gravity` to the inclined one and go
 //! on.
 
-use super::Simulation;
+use super::Cycle;
 use crate::model::{Damping, History, Vector};
-use crate::simulation::values::SetupError;
+use crate::simulation::values::{BodyHandle, SetupError};
 
-impl Simulation {
+impl Cycle {
     /// Sets the acceleration of gravity \[m/s²\] from here on. The energy balance goes on: the potential of the old
     /// gravity is booked as work done.
     ///
@@ -30,18 +30,23 @@ impl Simulation {
         Ok(())
     }
 
-    /// Prescribes the velocity of the body with identifier `body` from here on, or with `None` releases it: it goes on
-    /// with the velocity and the stress that it has.
+    /// Prescribes the velocity of a body from here on, or with `None` releases it: it goes on with the velocity and the stress
+    /// that it has.
     ///
     /// # Errors
     /// No such body, or a history that is empty or not finite or whose times do not increase.
-    pub fn set_motion(&mut self, body: i64, motion: Option<History>) -> Result<(), SetupError> {
-        let Some(index) = self.model.bodies.iter().position(|b| b.id == body) else {
+    pub fn set_motion(
+        &mut self,
+        body: BodyHandle,
+        motion: Option<History>,
+    ) -> Result<(), SetupError> {
+        let (index, count) = (body.place(), self.model.bodies.len());
+        if index >= count {
             return Err(refused(
                 "body",
-                &format!("{body}, which no body has as its id"),
+                &format!("{index}; accepted: below {count}, the number of bodies"),
             ));
-        };
+        }
         if let Some(history) = &motion {
             let sound = !history.times.is_empty()
                 && history.times.len() == history.values.len()

@@ -1,6 +1,6 @@
 //! The choice of the time step.
 
-use super::Simulation;
+use super::Cycle;
 use super::interactions::Interaction;
 use super::phase::Phase;
 use crate::laws::UNPRESSED;
@@ -103,12 +103,12 @@ impl Limits {
     }
 
     /// The step of a multiplier \[s\].
-    fn multiple(&self, multiplier: f64, simulation: &Simulation) -> f64 {
+    fn multiple(&self, multiplier: f64, simulation: &Cycle) -> f64 {
         multiplier * simulation.smallest_cell() / (self.wave_speed + self.particle_speed)
     }
 }
 
-impl Simulation {
+impl Cycle {
     /// The shortest side of a cell \[m\].
     pub(super) fn smallest_cell(&self) -> f64 {
         let cell = &self.model.settings.mesh.cell[..self.model.plan.axes];
@@ -357,16 +357,6 @@ impl Simulation {
             }
         }
         None
-    }
-
-    /// Smallest, largest and smallest critical time step so far \[s\].
-    #[must_use]
-    pub fn time_steps(&self) -> (f64, f64, f64) {
-        (
-            self.state.clock.dt_min,
-            self.state.clock.dt_max,
-            self.state.clock.dt_critical,
-        )
     }
 
     pub(super) fn error(&self, kind: StepErrorKind) -> StepError {

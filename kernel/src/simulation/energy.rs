@@ -12,7 +12,7 @@
 
 use super::interactions::{Interaction, Interactions};
 use super::phase::PhaseTimer;
-use super::{Simulation, history_value};
+use super::{Cycle, history_value};
 use crate::grid::Line;
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
@@ -36,7 +36,7 @@ struct HalfStep {
     sums: PlaneSums,
 }
 
-impl Simulation {
+impl Cycle {
     /// Begins the energy balance.
     pub(super) fn open_ledger(&mut self) {
         self.state.ledger.dead_load_origin = self.dead_load_potential();
@@ -191,7 +191,7 @@ pub(super) struct NodalSnapshot {
 }
 
 impl NodalSnapshot {
-    pub(super) fn take(simulation: &mut Simulation) -> Self {
+    pub(super) fn take(simulation: &mut Cycle) -> Self {
         // Memory that each visit fills anew may be as large as the mesh.
         let interactions = simulation.work.interactions.iter_mut();
         let interactions = interactions.map(|one| {
@@ -227,7 +227,7 @@ impl NodalSnapshot {
         }
     }
 
-    pub(super) fn put_back(self, simulation: &mut Simulation) {
+    pub(super) fn put_back(self, simulation: &mut Cycle) {
         let interactions = simulation.work.interactions.iter_mut();
         for (one, mut was) in interactions.zip(self.interactions) {
             if let Some(scratch) = one.take_scratch() {

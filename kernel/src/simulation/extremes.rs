@@ -3,14 +3,14 @@
 //! Particles are looked at together with the balances (`invariants.rs`), and only those of a law or a particle domain that a large
 //! deformation harms.
 
-use super::Simulation;
+use super::Cycle;
 use crate::laws::StrainRange;
 use crate::layout::Layout;
 use crate::model::{DomainUpdate, Weighting};
 use crate::particles::ParticleSet;
 use crate::simulation::values::{Extremes, MOST_STRETCH_RATIO};
 
-impl Simulation {
+impl Cycle {
     /// Largest deformations seen so far.
     #[must_use]
     pub fn extremes(&self) -> Extremes {

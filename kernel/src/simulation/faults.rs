@@ -1,13 +1,13 @@
 //! Particles that went wrong in a pass: the run stops with a typed error, or goes on with an event.
 
-use super::Simulation;
+use super::Cycle;
 use crate::layout::Layout;
 use crate::model::Outside;
 use crate::particles::ParticleSet;
 use crate::simulation::values::{Event, EventKind, ParticleAt, StepError, StepErrorKind};
 use crate::stage::g2p::FaultKind;
 
-impl Simulation {
+impl Cycle {
     /// Stops for a fault, or removes particles outside the mesh where the scene says so.
     pub(super) fn judge(&mut self, faults: &[(usize, usize, FaultKind)]) -> Result<(), StepError> {
         for &(set, p, kind) in faults {
@@ -99,7 +99,7 @@ impl Simulation {
     }
 
     pub(super) fn particle_at(&self, set: usize, p: usize) -> ParticleAt {
-        let (mass, volume) = self.mass_and_volume(set, p);
+        let (mass, volume) = (self.particle_mass(set, p), self.particle_volume(set, p));
         ParticleAt {
             id: self.state.sets[set].id[p],
             body: self.model.bodies[set].id,

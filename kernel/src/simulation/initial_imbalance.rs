@@ -3,7 +3,7 @@
 //! Stress that includes weight which is not there, or that pushes against a side which is free, sets the body in motion at once.
 //! It shows at the nodes before the first step: where all is in balance no free node is accelerated.
 
-use super::Simulation;
+use super::Cycle;
 use super::energy::NodalSnapshot;
 use crate::layout::Layout;
 use crate::simulation::values::StepError;
@@ -13,7 +13,7 @@ use crate::stage::solve::is_ghost;
 /// Level ground at rest between sliding sides has 0.1 % to 1 %.
 const MOST: f64 = 0.05;
 
-impl Simulation {
+impl Cycle {
     /// A warning where stress at the start is out of balance; `None` where there is none, or where it cannot be measured.
     pub(super) fn initial_imbalance(&mut self) -> Option<String> {
         if !self.model.settings.starts_stressed {

@@ -1,6 +1,6 @@
 //! Passes of a step over its interactions.
 
-use super::Simulation;
+use super::Cycle;
 use super::interactions::{BalanceTraits, BodyList, Interaction};
 use super::phase::Phase;
 use crate::simulation::context::{NodalConditions, Remap};
@@ -57,7 +57,7 @@ impl<'a> StepUpdate<'a> {
     }
 }
 
-impl Simulation {
+impl Cycle {
     /// All interactions.
     pub(super) fn interactions(&self) -> impl Iterator<Item = &dyn Interaction> {
         self.work.interactions.iter().map(|one| &**one)

@@ -4,11 +4,11 @@
 //! `proctor-contact`, and act by the same trait as what a program adds.
 
 use crate::grid::Line;
-use crate::model::{CycleSettings, Vector};
+use crate::model::CycleSettings;
 use crate::simulation::context::{NodalConditions, Remap, StepContext, VelocityMapping};
 use crate::simulation::fields::{Grid, Slab};
 use crate::simulation::step_view::{StepUpdate, StepView};
-use crate::simulation::values::{Drift, InteractionError, SavedArrays, SetupError};
+use crate::simulation::values::{Drift, InteractionError, NodalForce, SavedArrays, SetupError};
 use crate::stage::solve::PlaneSums;
 use smallvec::SmallVec;
 use std::any::Any;
@@ -23,10 +23,7 @@ use std::any::Any;
 ///
 /// Slabs are visited at once by several threads, and their number must not change a result: sums go to the planes of a
 /// slab, and from there plane by plane.
-pub trait Interaction: Any + Send + Sync {
-    /// A copy.
-    fn boxed(&self) -> Box<dyn Interaction>;
-
+pub trait Interaction: InteractionClone + Any + Send + Sync {
     /// Refuses a scene at its start.
     ///
     /// # Errors
@@ -141,9 +138,8 @@ pub trait Interaction: Any + Send + Sync {
         BalanceTraits::default()
     }
 
-    /// Gives force \[N\] and gap \[m\] of each contact at a node in the last step, with the place of the body that it acts on, for
-    /// output: `(body, node, force, gap)`.
-    fn nodal_forces(&self, _grid: &Grid, _give: &mut dyn FnMut(usize, usize, Vector, f64)) {}
+    /// Gives the force of each contact at a node in the last step, for output.
+    fn nodal_forces(&self, _grid: &Grid, _give: &mut dyn FnMut(NodalForce)) {}
 
     /// Takes out the memory that each step fills anew, so that a snapshot does not copy it.
     fn take_scratch(&mut self) -> Option<Box<dyn Any + Send + Sync>> {
@@ -309,6 +305,18 @@ pub type Interactions = Vec<Box<dyn Interaction>>;
 impl Clone for Box<dyn Interaction> {
     fn clone(&self) -> Self {
         (**self).boxed()
+    }
+}
+
+/// A copy of an interaction of a type that the cycle does not know. Every interaction that is [`Clone`] has it.
+pub trait InteractionClone {
+    /// A copy.
+    fn boxed(&self) -> Box<dyn Interaction>;
+}
+
+impl<T: Interaction + Clone> InteractionClone for T {
+    fn boxed(&self) -> Box<dyn Interaction> {
+        Box::new(self.clone())
     }
 }
 

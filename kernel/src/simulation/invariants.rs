@@ -12,7 +12,7 @@
 //! A body force that is a function of position and time does work that nobody sums, and a condition or an interaction of a
 //! library user need not tell its work: there the energy is not watched.
 
-use super::Simulation;
+use super::Cycle;
 use crate::layout::Layout;
 use crate::model::{OnImbalance, Vector};
 use crate::simulation::values::{
@@ -35,7 +35,7 @@ pub(crate) struct Momentum {
     scale: f64,
 }
 
-impl Simulation {
+impl Cycle {
     /// The invariant monitor.
     #[must_use]
     pub fn invariants(&self) -> &InvariantMonitor {

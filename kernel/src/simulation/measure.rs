@@ -1,16 +1,16 @@
 //! Sums over the particles: mass, momentum, energy, hash. Always in order of the particle identifier, so that
 //! they do not depend on how particles are stored.
 
-use super::Simulation;
+use super::Cycle;
 use crate::laws::{Particle, StoredParticle};
 use crate::layout::Layout;
 use crate::model::Vector;
 use crate::particles::ParticleSet;
-use crate::simulation::values::BodyEnergy;
+use crate::simulation::values::{BodyEnergy, BodyHandle, MassCenter};
 use crate::team::ItemCost;
 use std::sync::{MutexGuard, PoisonError};
 
-impl Simulation {
+impl Cycle {
     /// Total mass \[kg\].
     #[must_use]
     pub fn mass(&self) -> f64 {
@@ -25,10 +25,10 @@ impl Simulation {
         })
     }
 
-    /// Mass, centre of mass and mean velocity of a body \[kg, m, m/s\].
+    /// Mass, centre of mass and mean velocity of a body.
     #[must_use]
-    pub fn center(&self, set: usize) -> (f64, Vector, Vector) {
-        let particles = &self.state.sets[set];
+    pub fn center(&self, body: impl Into<BodyHandle>) -> MassCenter {
+        let particles = self.particles_of(body);
         let (mut mass, mut x, mut v) = (0.0, [0.0; 3], [0.0; 3]);
         for &p in self.order().of(particles) {
             let p = p as usize;
@@ -45,7 +45,11 @@ impl Simulation {
             x = std::array::from_fn(|axis| x[axis] / mass + origin[axis]);
             v = v.map(|c| c / mass);
         }
-        (mass, x, v)
+        MassCenter {
+            mass,
+            position: x,
+            velocity: v,
+        }
     }
 
     /// Kinetic energy of the particles \[J\].
@@ -119,7 +123,7 @@ impl Simulation {
         self.yielding().map(|(_, energy)| energy.algorithmic).sum()
     }
 
-    /// The bodies whose law has a yield surface, by their place in [`Simulation::sets`], and where the work of their strain
+    /// The bodies whose law has a yield surface, by their place in [`Cycle::sets`], and where the work of their strain
     /// went.
     pub fn yielding(&self) -> impl Iterator<Item = (usize, BodyEnergy)> {
         let all = 0..self.state.sets.len();

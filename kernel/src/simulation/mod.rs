@@ -1,4 +1,4 @@
-//! A simulation: state, explicit cycle, and what can be asked of it.
+//! The explicit cycle of a model: its state, its steps, and queries of them.
 
 mod change;
 mod clock;
@@ -43,8 +43,8 @@ pub use context::{
 pub use fields::{Grid, Owner, Slab, SlabField, VelocityField};
 pub use history::{BaseVelocity, Displacement, rows_until, value as history_value};
 pub use interactions::{
-    BalanceTraits, BodyList, Interaction, Interactions, OwnLines, PairList, SharedSlabInteraction,
-    SlabInteraction, SlabMemory, SlabPart,
+    BalanceTraits, BodyList, Interaction, InteractionClone, Interactions, OwnLines, PairList,
+    SharedSlabInteraction, SlabInteraction, SlabMemory, SlabPart,
 };
 pub use mapping::{NodeWeights, node_weights, node_weights_touching};
 pub use measure::state_hash;
@@ -55,12 +55,12 @@ pub use result_warnings::{MOST_REMAINDER, ResultWarning};
 pub use start::Start;
 pub use step_view::{StepUpdate, StepView};
 pub use values::{
-    BodyEnergy, BodyRun, Bound, Clock, Drift, Energy, EnergyLedger, Event, EventKind, Extremes,
-    Groups, InitialOverlap, InteractionError, InteractionFault, Invariant, InvariantMonitor,
-    LEAST_VOLUME_RATIO, MESH, MOST_GAIN, MOST_INCREMENT, MOST_LOST_MOMENTUM, MOST_LOST_SPIN,
-    MOST_STRETCH_RATIO, MOST_UNSEEN, MOST_VOLUME_RATIO, ParticleAt, RestoreError, Saved,
-    SavedArrays, SetupError, Spin, State, StepError, StepErrorKind, StepInfo, Tension,
-    TimeStepAboveCritical, Violation,
+    BodyEnergy, BodyHandle, BodyRun, Bound, Clock, Drift, Energy, EnergyLedger, Event, EventKind,
+    Extremes, Groups, InitialOverlap, InteractionError, InteractionFault, Invariant,
+    InvariantMonitor, LEAST_VOLUME_RATIO, MESH, MOST_GAIN, MOST_INCREMENT, MOST_LOST_MOMENTUM,
+    MOST_LOST_SPIN, MOST_STRETCH_RATIO, MOST_UNSEEN, MOST_VOLUME_RATIO, MassCenter, NodalForce,
+    ParticleAt, RestoreError, Saved, SavedArrays, SetupError, Spin, State, StepError,
+    StepErrorKind, StepInfo, Tension, TimeStepAboveCritical, Violation,
 };
 
 pub use model::Model;
@@ -76,14 +76,14 @@ use std::sync::Arc;
 /// Body force per mass \[m/s²\] of a particle that began at `x_0` and is at `x` at time `t`.
 pub type BodyForce = Arc<dyn Fn(&Vector, &Vector, f64) -> Vector + Send + Sync>;
 
-/// A simulation: its model, its state, and the work state of a step.
-pub struct Simulation {
+/// The explicit cycle of a model: the model, its state, and the work state of a step.
+pub struct Cycle {
     pub(crate) model: Model,
     pub(crate) state: State,
     pub(crate) work: WorkState,
 }
 
-impl Simulation {
+impl Cycle {
     /// The model.
     #[must_use]
     pub fn model(&self) -> &Model {
@@ -156,13 +156,42 @@ impl Simulation {
         &self.state.events
     }
 
-    /// Identifier of the body and of the material of a set.
+    /// Time and step counter, with the smallest and largest time step so far.
     #[must_use]
-    pub fn body_and_material(&self, set: usize) -> (i64, i64) {
-        (
-            self.model.bodies[set].id,
-            self.model.bodies[set].material_id,
-        )
+    pub fn clock(&self) -> &Clock {
+        &self.state.clock
+    }
+
+    /// Takes steps up to a time \[s\]; a constant time step may pass it by less than half a step.
+    ///
+    /// # Errors
+    /// The first error of a step: see [`Cycle::step`].
+    pub fn run_until(&mut self, time: f64) -> Result<(), StepError> {
+        self.led(|cycle| {
+            while cycle.time() < time {
+                cycle.step(time)?;
+            }
+            Ok(())
+        })
+    }
+
+    /// The body with this identifier in the scene.
+    #[must_use]
+    pub fn body_with_id(&self, id: i64) -> Option<BodyHandle> {
+        let place = self.model.bodies.iter().position(|body| body.id == id);
+        place.map(BodyHandle::from)
+    }
+
+    /// A body: its identifiers, law and motion.
+    #[must_use]
+    pub fn body(&self, body: impl Into<BodyHandle>) -> &BodyRun {
+        &self.model.bodies[body.into().place()]
+    }
+
+    /// Particles of a body.
+    #[must_use]
+    pub fn particles_of(&self, body: impl Into<BodyHandle>) -> &ParticleSet {
+        &self.state.sets[body.into().place()]
     }
 
     /// Lower corner of the mesh now \[m\]. A base that moves along its normal takes the mesh with it.
@@ -175,8 +204,8 @@ impl Simulation {
 
     /// Position of a particle in the coordinates of the scene \[m\].
     #[must_use]
-    pub fn position(&self, set: usize, p: usize) -> Vector {
-        let x = self.state.sets[set].position(p);
+    pub fn position(&self, body: impl Into<BodyHandle>, p: usize) -> Vector {
+        let x = self.particles_of(body).position(p);
         std::array::from_fn(|axis| x[axis] + self.origin()[axis])
     }
 
@@ -200,8 +229,8 @@ impl Simulation {
 
     /// Displacement of a particle since the start \[m\], where the plan keeps it.
     #[must_use]
-    pub fn displacement(&self, set: usize, p: usize) -> Option<Vector> {
-        let set = &self.state.sets[set];
+    pub fn displacement(&self, body: impl Into<BodyHandle>, p: usize) -> Option<Vector> {
+        let set = self.particles_of(body);
         let origin = set.vector(set.layout.displacement_origin?, p);
         let x = set.position(p);
         Some(std::array::from_fn(|axis| {
@@ -211,8 +240,9 @@ impl Simulation {
 
     /// Position of a particle at the start in the coordinates of the scene \[m\], where the plan keeps it.
     #[must_use]
-    pub fn initial_position(&self, set: usize, p: usize) -> Option<Vector> {
-        let x = self.state.sets[set].vector(self.state.sets[set].layout.displacement_origin?, p);
+    pub fn initial_position(&self, body: impl Into<BodyHandle>, p: usize) -> Option<Vector> {
+        let set = self.particles_of(body);
+        let x = set.vector(set.layout.displacement_origin?, p);
         Some(std::array::from_fn(|axis| {
             x[axis] + self.model.settings.mesh.origin[axis]
         }))
@@ -220,21 +250,26 @@ impl Simulation {
 
     /// Deformation gradient of a particle, where the plan keeps it.
     #[must_use]
-    pub fn deformation(&self, set: usize, p: usize) -> Option<[[f64; 3]; 3]> {
-        self.state.sets[set].deformation(p)
+    pub fn deformation(&self, body: impl Into<BodyHandle>, p: usize) -> Option<[[f64; 3]; 3]> {
+        self.particles_of(body).deformation(p)
     }
 
-    /// Mass and volume of a particle \[kg, m³\].
+    /// Mass of a particle \[kg\].
     #[must_use]
-    pub fn mass_and_volume(&self, set: usize, p: usize) -> (f64, f64) {
-        let columns = &self.state.sets[set].columns;
-        (columns[Layout::MASS][p], columns[Layout::VOLUME][p])
+    pub fn particle_mass(&self, body: impl Into<BodyHandle>, p: usize) -> f64 {
+        self.particles_of(body).columns[Layout::MASS][p]
+    }
+
+    /// Volume of a particle \[m³\].
+    #[must_use]
+    pub fn particle_volume(&self, body: impl Into<BodyHandle>, p: usize) -> f64 {
+        self.particles_of(body).columns[Layout::VOLUME][p]
     }
 
     /// External force on a particle \[N\]: its weight, box loads and body force.
     #[must_use]
-    pub fn external_force(&self, set: usize, p: usize) -> Vector {
-        let particles = &self.state.sets[set];
+    pub fn external_force(&self, body: impl Into<BodyHandle>, p: usize) -> Vector {
+        let particles = self.particles_of(body);
         let own = particles
             .layout
             .force

@@ -1,8 +1,9 @@
 //! Nodal values for output.
 
-use super::Simulation;
+use super::Cycle;
 use crate::grid::{ActiveRows, GHOSTS_BELOW, Line};
 use crate::model::Vector;
+use crate::simulation::values::NodalForce;
 use std::collections::HashMap;
 
 /// One velocity field at a node.
@@ -23,7 +24,7 @@ pub struct NodeValues {
     pub contact_gap: f64,
 }
 
-impl Simulation {
+impl Cycle {
     /// Number of nodes with mass after the last mapping.
     #[must_use]
     pub fn nodes_with_mass(&self) -> usize {
@@ -90,11 +91,13 @@ impl Simulation {
     fn contact_by_node(&self) -> HashMap<(Option<usize>, usize), (Vector, f64)> {
         let mut found: HashMap<(Option<usize>, usize), (Vector, f64)> = HashMap::new();
         let own_field = &self.work.own_field;
-        let mut add = |body: usize, node: usize, force: Vector, gap: f64| {
-            let field = own_field[body].then_some(body);
-            let at = found.entry((field, node)).or_insert(([0.0; 3], f64::NAN));
-            at.0 = std::array::from_fn(|axis| at.0[axis] + force[axis]);
-            at.1 = at.1.min(gap);
+        let mut add = |one: NodalForce| {
+            let field = own_field[one.body].then_some(one.body);
+            let at = found
+                .entry((field, one.node))
+                .or_insert(([0.0; 3], f64::NAN));
+            at.0 = std::array::from_fn(|axis| at.0[axis] + one.force[axis]);
+            at.1 = at.1.min(one.gap);
         };
         for one in self.interactions() {
             one.nodal_forces(&self.work.grid, &mut add);

@@ -1,6 +1,6 @@
 //! The passes of a step over nodes and particles, slab by slab.
 
-use super::Simulation;
+use super::Cycle;
 use super::conditions::load_on;
 use super::interactions::{Interaction, Interactions, SlabParts, in_turn, on_slabs};
 use super::mapping::{fold, particle_to_grid};
@@ -41,7 +41,7 @@ pub(super) struct VisitParts<'a> {
     timer: &'a mut PhaseTimer,
 }
 
-impl Simulation {
+impl Cycle {
     /// Divides the simulation for a visit of the slabs.
     pub(super) fn divide<'a>(
         &'a mut self,

@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-/// A part of [`Simulation::step`](super::Simulation::step). The kernel reads no clock: an observer
-/// ([`Simulation::observe_phases`](super::Simulation::observe_phases)) gets each phase when it has ended and may read its own.
+/// A part of [`Cycle::step`](super::Cycle::step). The kernel reads no clock: an observer
+/// ([`Cycle::observe_phases`](super::Cycle::observe_phases)) gets each phase when it has ended and may read its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Phase {
     /// Contact: of boundaries (weights, gaps and forces, motion of vertices), and at the nodes. The last

@@ -1,6 +1,6 @@
 //! One part of a step again and again on the same state, for measurements.
 
-use super::Simulation;
+use super::Cycle;
 use super::fields::Owner;
 use super::interactions::Interactions;
 use super::passes::VisitParts;
@@ -69,14 +69,14 @@ struct StepSnapshot {
 /// A part of the next step, played as often as one likes: [`Rehearsal::set`] makes the state in which the part
 /// begins, [`Rehearsal::play`] does the part. When it is dropped the simulation is as it was before.
 pub struct Rehearsal<'a> {
-    simulation: &'a mut Simulation,
+    simulation: &'a mut Cycle,
     part: Part,
     info: StepInfo,
     nodal: NodalConditions,
     kept: StepSnapshot,
 }
 
-impl Simulation {
+impl Cycle {
     /// Rehearses a part of the next step.
     ///
     /// # Errors
@@ -174,7 +174,7 @@ impl Drop for Rehearsal<'_> {
     }
 }
 
-impl Simulation {
+impl Cycle {
     /// Particles to nodes without the equation of motion.
     fn p2g_alone(&mut self, nodal: &NodalConditions) {
         let VisitParts { context, grid, .. } = self.divide(Carry::All, nodal);

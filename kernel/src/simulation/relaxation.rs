@@ -1,10 +1,10 @@
 //! Kinetic damping: dynamic relaxation to a static solution.
 
-use super::Simulation;
+use super::Cycle;
 use crate::layout::Layout;
 use crate::simulation::values::StepInfo;
 
-impl Simulation {
+impl Cycle {
     /// Dynamic relaxation: where the kinetic energy has passed a peak, the drift (negative or zero) that takes
     /// the positions back to it \[s\].
     ///

@@ -6,7 +6,7 @@
 //! A positive one is dissipation, which affine transfers, a share of PIC, USL, friction of some contacts and planes that stop
 //! what hits them explain; nothing explains more of it than there was.
 
-use super::Simulation;
+use super::Cycle;
 use crate::laws::StrainRange;
 use crate::model::{Damping, StressScheme, Transfer, TransferKind, Weighting};
 use crate::simulation::values::{Energy, Extremes, MOST_LOST_SPIN, MOST_STRETCH_RATIO, ROUND_OFF};
@@ -177,9 +177,9 @@ impl fmt::Display for ResultWarning {
     }
 }
 
-impl Simulation {
+impl Cycle {
     /// Reasons for caution with the results as they are now, none where all is well; `energy` is the balance of
-    /// [`Simulation::energy`].
+    /// [`Cycle::energy`].
     #[must_use]
     pub fn cautions(&self, energy: &Energy) -> Vec<ResultWarning> {
         let extremes = self.extremes();

@@ -4,12 +4,12 @@
 //! that spin turns into noise: half of it in a turn of a disc of five cells, a tenth of ten, a fiftieth of twenty. Affine
 //! transfers keep it, and one with a share of PIC loses it as friction would; there it is not looked at.
 
-use super::Simulation;
+use super::Cycle;
 use crate::layout::Layout;
 use crate::model::{Damping, TransferKind, Vector};
 use crate::simulation::values::{EventKind, Spin};
 
-impl Simulation {
+impl Cycle {
     /// Angular momentum of the particles, where nothing outside can turn them and FLIP moves them.
     pub(super) fn spin(&self) -> Option<Spin> {
         self.is_left_alone().then_some(())?;
@@ -63,7 +63,7 @@ impl Simulation {
     }
 }
 
-impl Simulation {
+impl Cycle {
     /// True with FLIP, where gravity and the bodies alone act. Contact may lose angular momentum.
     fn is_left_alone(&self) -> bool {
         let settings = &self.model.settings;

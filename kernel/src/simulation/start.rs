@@ -1,6 +1,6 @@
 //! The start of a simulation: from a model and its particles to time zero.
 
-use super::Simulation;
+use super::Cycle;
 use super::clock::length;
 use super::interactions::Interactions;
 use super::tension::TensionWatch;
@@ -31,7 +31,7 @@ pub struct Start {
     pub is_undeformed: bool,
 }
 
-impl Simulation {
+impl Cycle {
     /// A simulation at time zero: particles sorted, fields given, the first time step chosen.
     ///
     /// # Errors

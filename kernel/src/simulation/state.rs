@@ -1,16 +1,16 @@
 //! The state: all that a step leaves behind and the next one needs.
 //!
 //! It is one plain value. A checkpoint writes it, a rehearsal and a restart take it up again, a change between stages goes
-//! on with it, all by [`Simulation::save`] and [`Simulation::restore`]. What can be had from the scene is not in it: neither
+//! on with it, all by [`Cycle::save`] and [`Cycle::restore`]. What can be had from the scene is not in it: neither
 //! the grid, which is scratch between steps, nor laws, loads and surfaces. How it is written is not known here.
 
-use super::Simulation;
+use super::Cycle;
 use super::interactions::Interaction;
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
 use crate::simulation::values::{RestoreError, Saved};
 
-impl Simulation {
+impl Cycle {
     /// The state: a simulation of the same scene that takes it up goes on with the same bits.
     #[must_use]
     pub fn save(&self) -> Saved {

@@ -1,6 +1,6 @@
 //! One step of the explicit cycle.
 
-use super::Simulation;
+use super::Cycle;
 use super::interactions::Interaction;
 use super::phase::{Phase, PhaseObserver, PhaseTimer};
 use crate::laws::tensor::Configuration;
@@ -27,7 +27,7 @@ enum Pass {
     Strain,
 }
 
-impl Simulation {
+impl Cycle {
     /// One step of the cycle, at most to the time `stop` (a constant time step may pass it by less than half a
     /// step).
     ///

@@ -12,7 +12,7 @@
 //! the last look may have let the growth rise, so that a calm run does not pay. Two kinds of runs are not watched, as they make energy for another reason: linear
 //! functions, whose particles cross cells, and steps beyond the critical one. The sums are in no checkpoint: they begin anew.
 
-use super::Simulation;
+use super::Cycle;
 use crate::layout::Layout;
 use crate::model::{CycleSettings, StressScheme, Weighting};
 use crate::particles::ParticleSet;
@@ -121,7 +121,7 @@ struct MostStretched {
     specific: f64,
 }
 
-impl Simulation {
+impl Cycle {
     /// Looks at the tension after a step, where the method may lose it.
     pub(super) fn watch_tension(&mut self, info: &StepInfo) -> Result<(), StepError> {
         let Some(mut watch) = self.work.tension.take() else {

@@ -3,7 +3,7 @@
 //! A traction acts on the nodes around its rectangle. Where the rectangle lies over no body, nodes beside the body would take
 //! its whole force, or there would be none to take it: both are refused, by the name of the traction.
 
-use super::Simulation;
+use super::Cycle;
 use super::conditions::nodes_of_traction;
 use super::mapping::node_weights;
 use crate::model::{Shape, Traction, Vector};
@@ -24,7 +24,7 @@ const STAIRCASE: f64 = 3.0;
 /// Cells around a rectangle in which there are particles that reach its nodes.
 const REACH: f64 = 4.0;
 
-impl Simulation {
+impl Cycle {
     /// Whether bodies carry every traction of the scene.
     ///
     /// # Errors

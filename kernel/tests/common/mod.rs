@@ -304,7 +304,7 @@ pub fn momentum_scale(simulation: &Simulation) -> f64 {
     for (index, set) in simulation.sets().iter().enumerate() {
         for p in 0..set.len() {
             let v = set.velocity(p);
-            sum += simulation.mass_and_volume(index, p).0 * v.iter().map(|c| c.abs()).sum::<f64>();
+            sum += simulation.particle_mass(index, p) * v.iter().map(|c| c.abs()).sum::<f64>();
         }
     }
     sum

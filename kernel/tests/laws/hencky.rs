@@ -4,7 +4,7 @@ use crate::laws::support::{DENSITY, close, midpoint, numbers, point, shear, stra
 use nalgebra::{Matrix3, Rotation3, SymmetricEigen, Vector3};
 use proctor_kernel::lanes::{Backend, Kernel, LaneChoice, Lanes, Selected};
 use proctor_laws::tensor::{Configuration, determinant};
-use proctor_laws::{AnyLaw, Hencky, Increment, Law};
+use proctor_laws::{AnyLaw, Hencky, Increment, Law, Stress};
 
 const YOUNG: f64 = 2.6;
 const POISSON: f64 = 0.3;
@@ -36,14 +36,14 @@ impl<const D: usize> Kernel for Of<D> {
             volume: jacobian,
             density: DENSITY,
         };
-        let mut stress = [zero; 6];
-        let square = LAW.update::<_, D>(&increment, &mut stress, &mut []);
+        let mut stress = Stress::<_, D>::of_packed([zero; 6]);
+        let square = LAW.update(&increment, &mut stress, &mut []);
         let first = |lane: B::Native| {
             let mut all = [0.0; 8];
             lane.store(&mut all);
             all[0]
         };
-        (stress.map(first), first(square))
+        (stress.packed().map(first), first(square))
     }
 }
 

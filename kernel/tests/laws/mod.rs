@@ -2,6 +2,7 @@
 
 mod bands;
 mod channels;
+mod check;
 mod cone;
 mod fluids;
 mod gap;

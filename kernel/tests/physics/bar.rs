@@ -44,13 +44,13 @@ fn a_bar_swings_with_its_period() {
     for scheme in SCHEMES {
         let mut simulation = bar(scheme);
         // Up-crossings of the displacement of the centre of mass: after 0, T, 2 T ...
-        let start = simulation.center(0).1[0];
+        let start = simulation.center(0).position[0];
         let (mut last, mut crossings) = (0.0, vec![]);
         let mut largest = 0.0_f64;
         while crossings.len() < 2 {
             let before = simulation.time();
             run(&mut simulation, 1);
-            let x = simulation.center(0).1[0] - start;
+            let x = simulation.center(0).position[0] - start;
             if last < 0.0 && x >= 0.0 {
                 crossings.push(before + (simulation.time() - before) * last / (last - x));
             }
@@ -95,12 +95,12 @@ fn the_energy_of_a_bounce_is_accounted_for() {
     for scheme in SCHEMES {
         let mut simulation = simulation(&bounce(scheme, Weighting::QuadraticBSpline));
         let start = simulation.energy();
-        let top = simulation.center(0).1[1];
+        let top = simulation.center(0).position[1];
         let mut lowest = f64::INFINITY;
         let mut compressed = 0.0_f64;
         while simulation.time() < 0.25 {
             simulation.step(0.25).expect("the step is sound");
-            lowest = lowest.min(simulation.center(0).1[1]);
+            lowest = lowest.min(simulation.center(0).position[1]);
             compressed = compressed.max(simulation.energy().strain);
         }
         let end = simulation.energy();
@@ -113,7 +113,7 @@ fn the_energy_of_a_bounce_is_accounted_for() {
         let balance = start.kinetic + end.external_work - end.kinetic - end.strain;
         assert!((balance - end.dissipated).abs() < 1.0e-12 * size);
         // External work is the weight alone: the plane at rest does none.
-        let fallen = top - simulation.center(0).1[1];
+        let fallen = top - simulation.center(0).position[1];
         assert!((end.external_work - simulation.mass() * 10.0 * fallen).abs() < 1.0e-10 * size);
         // The impact is a jump in velocity; what the grid cannot resolve is lost or, with USF, gained.
         assert!(

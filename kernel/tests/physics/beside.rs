@@ -82,8 +82,10 @@ fn a_push_goes_on_from_mortar_to_the_grid() {
             by_mortar > 100.0 && on_grid > 100.0,
             "{by_mortar} {on_grid}"
         );
-        let x: Vec<f64> = (0..3).map(|set| simulation.center(set).1[0]).collect();
-        let v = simulation.center(2).2[0];
+        let x: Vec<f64> = (0..3)
+            .map(|set| simulation.center(set).position[0])
+            .collect();
+        let v = simulation.center(2).velocity[0];
         assert!(v > 0.2, "the block stays behind with {v} m/s");
         // The discs stay apart, and the block before them.
         assert!(x[1] - x[0] > 0.58 && x[2] - x[1] > 0.46, "{x:?}");
@@ -131,7 +133,7 @@ fn balls_with_boundaries_lie_on_a_surface() {
         assert!(impulses.iter().all(|i| *i > 1.0), "{impulses:?}");
         for set in 0..2 {
             assert!(
-                simulation.center(set).1[2] > 0.11 + 0.25,
+                simulation.center(set).position[2] > 0.11 + 0.25,
                 "through the plane"
             );
         }

@@ -166,9 +166,9 @@ fn a_body_that_leaves_its_traction_is_told_of() {
         scene.tractions.remove(0);
         scene.bodies[0].velocity = [20.0, 0.0, 0.0];
         let mut simulation = simulation(&scene);
-        while simulation.time() < 0.04 {
-            simulation.step(0.04).expect("the traction acts on nothing");
-        }
+        simulation
+            .run_until(0.04)
+            .expect("the traction acts on nothing");
         let energy = simulation.energy();
         let all = simulation.cautions(&energy);
         let told =

@@ -144,9 +144,7 @@ fn lost_spin_is_a_reason_for_caution() {
             deformation: crate::common::IDENTITY,
         }));
         let mut simulation = Simulation::new(&scene, &options).expect("sound");
-        while simulation.time() < 8.0 {
-            simulation.step(8.0).expect("a step");
-        }
+        simulation.run_until(8.0).expect("a step");
         let all = cautions(&mut simulation);
         all.into_iter().find_map(|caution| match caution {
             ResultWarning::Spin { lost } => Some(lost),

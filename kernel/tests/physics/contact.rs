@@ -101,9 +101,10 @@ pub fn until(simulation: &mut Simulation, time: f64) {
 fn slide(scene: &Scene) -> (f64, f64, f64) {
     let up = up(scene.dimension);
     let mut simulation = Simulation::new(scene, &settled(scene)).expect("the scene is sound");
-    let start = simulation.center(1).1;
+    let start = simulation.center(1).position;
     until(&mut simulation, 0.1);
-    let (m, _, v_0) = simulation.center(1);
+    let center = simulation.center(1);
+    let (m, v_0) = (center.mass, center.velocity);
     let t_0 = simulation.velocity_time();
     let (mut impulse, mut time) = (0.0, 0.0);
     while simulation.time() < 0.4 {
@@ -111,7 +112,8 @@ fn slide(scene: &Scene) -> (f64, f64, f64) {
         impulse += simulation.contact_force(1)[up] * dt;
         time += dt;
     }
-    let (_, x, v) = simulation.center(1);
+    let center = simulation.center(1);
+    let (x, v) = (center.position, center.velocity);
     let a = (v[0] - v_0[0]) / (simulation.velocity_time() - t_0);
     (a, impulse / time / (10.0 * m), x[up] - start[up])
 }
@@ -191,9 +193,9 @@ fn a_block_sticks() {
                 scene.gravity[0] *= sign;
                 let mut simulation =
                     Simulation::new(&scene, &settled(&scene)).expect("the scene is sound");
-                let start = simulation.center(1).1;
+                let start = simulation.center(1).position;
                 until(&mut simulation, 0.4);
-                let (_, x, _) = simulation.center(1);
+                let x = simulation.center(1).position;
                 // Free, it would slide 0.4 m. It shears by g_x rho H²/2G = 4.5e-4 m, twice that while it swings.
                 assert!(
                     (x[0] - start[0]).abs() < 1.5e-3,
@@ -222,7 +224,8 @@ fn damping_takes_no_part_of_the_weight() {
             let up = up(dimension);
             for _ in 0..40 {
                 simulation.step(NEVER).expect("the step is sound");
-                let (m, _, v) = simulation.center(1);
+                let center = simulation.center(1);
+                let (m, v) = (center.mass, center.velocity);
                 let force = simulation.contact_force(1);
                 let off = [force[up] / (10.0 * m) - 1.0, force[0] / (3.0 * m) + 1.0];
                 assert!(
@@ -344,8 +347,8 @@ fn collide(dimension: Dimension, scheme: StressScheme, transfer: Transfer, ratio
         "{what}: energy {} of {energy}",
         now.kinetic + now.strain
     );
-    let (_, _, v_1) = simulation.center(0);
-    let (_, _, v_2) = simulation.center(1);
+    let v_1 = simulation.center(0).velocity;
+    let v_2 = simulation.center(1).velocity;
     println!("{what}: restitution {}", (v_2[0] - v_1[0]) / 2.0);
     assert!(
         v_2[0] > v_1[0],

@@ -93,9 +93,7 @@ fn check_geostatic(scene: &Scene, foot: f64) {
     };
     let mut simulation = Simulation::new(scene, &options).expect("the scene is sound");
     // A wave of 73 m/s crosses the column in 13 ms; what it swings by is damped within ten such times.
-    while simulation.time() < 0.3 {
-        simulation.step(0.3).expect("the step is sound");
-    }
+    simulation.run_until(0.3).expect("the step is sound");
     let set = &simulation.sets()[0];
     let mut rows: Vec<(f64, f64, f64)> = vec![];
     for p in 0..set.len() {
@@ -170,10 +168,8 @@ fn discs(cells: usize, shift: f64, normal: ContactNormal) -> f64 {
     }
     scene.contacts = vec![pair(1, 1, 2, normal)];
     let mut simulation = Simulation::new(&scene, &options()).expect("the scene is sound");
-    while simulation.time() < 0.6 {
-        simulation.step(0.6).expect("the step is sound");
-    }
-    simulation.center(0).2[0]
+    simulation.run_until(0.6).expect("the step is sound");
+    simulation.center(0).velocity[0]
 }
 
 #[test]
@@ -210,11 +206,9 @@ fn bodies_that_overlap_are_driven_apart() {
                 scene.contacts = vec![pair(1, 1, 2, normal)];
                 let mut simulation =
                     Simulation::new(&scene, &options()).expect("the scene is sound");
-                while simulation.time() < 0.05 {
-                    simulation.step(0.05).expect("the step is sound");
-                }
+                simulation.run_until(0.05).expect("the step is sound");
                 let what = format!("{dimension:?} {normal:?} {share}");
-                let [a, b] = [0, 1].map(|set| simulation.center(set).2[0]);
+                let [a, b] = [0, 1].map(|set| simulation.center(set).velocity[0]);
                 assert!(a < 0.0 && b > 0.0, "{what}: {a} and {b} m/s");
                 let mut events = simulation.events().iter();
                 let noted = events.any(|event| {

@@ -137,7 +137,7 @@ fn the_normal_of_the_slave_is_that_of_the_same_body_as_master() {
     let off = |a: &Simulation, b: &Simulation| {
         (0..2)
             .flat_map(|set| {
-                let (x, y) = (a.center(set).2, b.center(set).2);
+                let (x, y) = (a.center(set).velocity, b.center(set).velocity);
                 (0..2).map(move |axis| (x[axis] - y[axis]).abs())
             })
             .fold(0.0, f64::max)

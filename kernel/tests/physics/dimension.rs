@@ -145,7 +145,7 @@ fn a_domain_grows_by_the_root_of_its_volume() {
         let volumes = |simulation: &Simulation| -> Vec<(u64, f64)> {
             let set = &simulation.sets()[0];
             (0..set.len())
-                .map(|p| (set.id[p], simulation.mass_and_volume(0, p).1))
+                .map(|p| (set.id[p], simulation.particle_volume(0, p)))
                 .collect()
         };
         let before: HashMap<u64, f64> = volumes(&simulation).into_iter().collect();

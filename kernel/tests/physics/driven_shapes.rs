@@ -316,7 +316,7 @@ fn friction_on_a_driven_face() {
         while simulation.time() < 0.2 {
             simulation.step(NEVER).expect("a step");
         }
-        let speed = simulation.center(1).2[0];
+        let speed = simulation.center(1).velocity[0];
         let exact = 1.0 - 0.4 * 10.0 * simulation.velocity_time();
         println!("{scheme:?}: {speed} of {exact}");
         assert!(

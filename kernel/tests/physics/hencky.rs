@@ -40,9 +40,7 @@ fn a_column_settles_to_its_height() {
         ..options()
     };
     let mut simulation = Simulation::new(&scene, &options).expect("it is sound");
-    while simulation.time() < 12.0 {
-        simulation.step(12.0).expect("a step");
-    }
+    simulation.run_until(12.0).expect("a step");
     assert!(simulation.kinetic_energy() < 1e-6 * density * gravity * CELL);
     let way = |w: f64| (w + 0.5 * w * w) / load;
     let whole = way(lambert(load));

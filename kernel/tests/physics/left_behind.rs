@@ -115,7 +115,7 @@ fn a_traction_left_behind_is_told_and_acts_no_more() {
     for dimension in DIMENSIONS {
         let scene = pushed(dimension, StressScheme::Musl, APIC, 2.0e6, 0.0);
         let mut gone = until(&scene, 0.25);
-        let speed = gone.center(0).2[0];
+        let speed = gone.center(0).velocity[0];
         let energy = gone.energy();
         let left = |caution: &ResultWarning| matches!(caution, ResultWarning::Traction { index: 0, share } if *share == 1.0);
         assert!(
@@ -125,7 +125,7 @@ fn a_traction_left_behind_is_told_and_acts_no_more() {
         );
         let later = until(&scene, 0.3);
         // The traction would have made it faster by an eighth meanwhile.
-        let faster = later.center(0).2[0] / speed - 1.0;
+        let faster = later.center(0).velocity[0] / speed - 1.0;
         assert!(faster.abs() < 1.0e-3, "{dimension:?}: {faster:e}");
         // It left after a cell: v² = v0² + 2 a h.
         let exact = (SPEED * SPEED + 2.0 * TRACTION / (DENSITY * LENGTH) * CELL).sqrt();

@@ -185,10 +185,10 @@ fn acceleration_bounds_the_step() {
     let mut scene = block(Dimension::Two);
     scene.gravity = [0.0, -1.0e6, 0.0];
     let mut simulation = simulation(&scene);
-    let before = simulation.center(0).1[1];
+    let before = simulation.center(0).position[1];
     let info = simulation.step(1.0e3).expect("the step is sound");
     assert_eq!(info.bound, Bound::Travel);
-    let way = before - simulation.center(0).1[1];
+    let way = before - simulation.center(0).position[1];
     assert!(way > 0.0 && way <= 0.05, "{way}");
 }
 
@@ -197,7 +197,7 @@ fn acceleration_bounds_the_step() {
 fn told_once(scene: &Scene, end: f64) {
     let mut simulation = simulation(scene);
     let ratio = |s: &Simulation, p: usize| {
-        let (mass, volume) = s.mass_and_volume(0, p);
+        let (mass, volume) = (s.particle_mass(0, p), s.particle_volume(0, p));
         volume * 1000.0 / mass
     };
     while simulation.time() < end && simulation.step(end).is_ok() {

@@ -240,15 +240,15 @@ fn a_driven_body_pushes_another() {
                 values: vec![[0.0; 3], [1.0, 0.0, 0.0]],
             });
             let mut simulation = simulation(&scene);
-            while simulation.time() < 0.1 {
-                simulation.step(0.1).expect("the step is sound");
-            }
+            simulation.run_until(0.1).expect("the step is sound");
             // Ramp of 0.02 s to 1 m/s, then constant: 0.01 + 0.08 m; the trapezoidal rule of midpoints is exact
             // but for the step across the corner.
-            let (_, x, v) = simulation.center(0);
+            let center = simulation.center(0);
+            let (x, v) = (center.position, center.velocity);
             assert!((x[0] - (0.3 + 0.09)).abs() < 2.0e-4, "{x:?}");
             assert!((v[0] - 1.0).abs() < 1.0e-12, "{v:?}");
-            let (_, x, v) = simulation.center(1);
+            let center = simulation.center(1);
+            let (x, v) = (center.position, center.velocity);
             // Pushed, elastically: it cannot be overtaken and has swung about the same velocity.
             assert!(x[0] > 0.55 + 0.05 && v[0] > 0.3, "{scheme:?} {x:?} {v:?}");
         }
@@ -324,7 +324,8 @@ fn a_moving_base_carries_a_body() {
             assert!((ended[0].time - 0.05).abs() < 4.0e-3, "{ended:?}");
             // A flat body of one cell follows with the speed of shear waves: its mean displacement is that of
             // the base, 0.0125 + 0.075 m, but for a swing of a few mm.
-            let (_, x, v) = simulation.center(0);
+            let center = simulation.center(0);
+            let (x, v) = (center.position, center.velocity);
             assert!(
                 (x[0] - 0.35 - 0.0875).abs() < 5.0e-3,
                 "{weighting:?} {scheme:?} {x:?} {v:?}"
@@ -425,9 +426,7 @@ fn a_traction_that_changes_gives_its_integral() {
             },
         }];
         let mut simulation = simulation(&scene);
-        while simulation.time() < END {
-            simulation.step(END).expect("a step");
-        }
+        simulation.run_until(END).expect("a step");
         let momentum = simulation.momentum();
         // Velocities are those half a step before the end.
         let late = simulation.velocity_time();

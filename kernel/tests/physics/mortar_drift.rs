@@ -108,7 +108,7 @@ fn staying_on_the_body_does_no_work() {
     while simulation.time() < 0.12 {
         run_towards(&mut simulation, 1, 0.12);
         let by = simulation.boundary_drift().expect("boundaries").distance;
-        let (vertices, _) = simulation.boundaries();
+        let vertices = simulation.boundaries().vertices;
         let sizes = vertices.iter().map(|v| v.force[0].hypot(v.force[1]));
         let force = sizes.sum::<f64>();
         pushed = pushed.max(force);

@@ -3,7 +3,7 @@
 use crate::common::{DENSITY, block, first_error, material, options, rough_drift};
 use proctor_kernel::lanes::{LaneChoice, Lanes};
 use proctor_kernel::layout::Variable;
-use proctor_laws::{Increment, Law, LinearElastic, Particle};
+use proctor_laws::{Component, Increment, Law, LinearElastic, Particle, Stress};
 use proctor_scene::simulation::{Options, Simulation, StepErrorKind};
 use proctor_scene::{Dimension, Scene, StressScheme};
 
@@ -46,7 +46,7 @@ impl Law for Habitual {
     fn update<L: Lanes, const D: usize>(
         &self,
         increment: &Increment<L>,
-        stress: &mut [L; 6],
+        stress: &mut Stress<L, D>,
         variables: &mut [L],
     ) -> L {
         variables[0] = variables[0] + L::splat(increment.dt);
@@ -61,7 +61,8 @@ impl Law for Habitual {
                 variables[2] = L::select(old, L::splat(f64::NAN), variables[2]);
             }
             Habit::SpoilsStress => {
-                stress[3] = L::select(old, L::splat(f64::INFINITY), stress[3]);
+                let shear = &mut stress[Component::XY];
+                *shear = L::select(old, L::splat(f64::INFINITY), *shear);
             }
         }
         speed_squared
@@ -97,7 +98,7 @@ impl Law for Forgetful {
     fn update<L: Lanes, const D: usize>(
         &self,
         increment: &Increment<L>,
-        stress: &mut [L; 6],
+        stress: &mut Stress<L, D>,
         _: &mut [L],
     ) -> L {
         ELASTIC.update::<L, D>(increment, stress, &mut [])
@@ -127,9 +128,7 @@ fn adrift(scene: &Scene, threads: usize, lanes: LaneChoice) -> Simulation {
 }
 
 fn run_to(simulation: &mut Simulation, time: f64) {
-    while simulation.time() < time {
-        simulation.step(time).expect("a step");
-    }
+    simulation.run_until(time).expect("a step");
 }
 
 #[test]

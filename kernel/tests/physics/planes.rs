@@ -48,9 +48,7 @@ fn a_layer_swings_in_shear_alone() {
                     ..InitialState::default()
                 });
                 let mut simulation = simulation_from(&scene, swings);
-                while simulation.time() < half_period {
-                    simulation.step(half_period).expect("a step");
-                }
+                simulation.run_until(half_period).expect("a step");
                 let set = &simulation.sets()[0];
                 for p in 0..set.len() {
                     let (x, v) = (set.position(p), set.velocity(p));

@@ -79,7 +79,7 @@ fn flip_with_usf_gains_energy_and_the_plan_says_so() {
 /// Sum of the volumes, which are V_0 det F.
 fn area(simulation: &Simulation) -> f64 {
     (0..simulation.particles())
-        .map(|p| simulation.mass_and_volume(0, p).1)
+        .map(|p| simulation.particle_volume(0, p))
         .sum()
 }
 

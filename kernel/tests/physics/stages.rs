@@ -21,19 +21,19 @@ fn stages_settle_and_release() {
     simulation.set_local_damping(None).expect("no factor");
     simulation.set_gravity([5.0, -10.0, 0.0]).expect("a vector");
     simulation.set_friction(7, 0.3).expect("the contact");
-    let (v_0, t_0) = (simulation.center(1).2[0], simulation.velocity_time());
+    let (v_0, t_0) = (simulation.center(1).velocity[0], simulation.velocity_time());
     until(&mut simulation, 0.6);
-    let a = (simulation.center(1).2[0] - v_0) / (simulation.velocity_time() - t_0);
+    let a = (simulation.center(1).velocity[0] - v_0) / (simulation.velocity_time() - t_0);
     assert!((a - 2.0).abs() < 0.1, "{a}");
     // The base is let go: both fall.
-    simulation.set_motion(1, None).expect("the body");
-    let v = simulation.center(0).2[1];
+    simulation.set_motion(0.into(), None).expect("the body");
+    let v = simulation.center(0).velocity[1];
     until(&mut simulation, 0.65);
-    assert!(simulation.center(0).2[1] < v - 0.3);
+    assert!(simulation.center(0).velocity[1] < v - 0.3);
     assert!(simulation.set_friction(8, 0.1).is_err());
     assert!(simulation.set_friction(7, -0.1).is_err());
     assert!(simulation.set_gravity([0.0, 0.0, 1.0]).is_err());
-    assert!(simulation.set_motion(9, None).is_err());
+    assert!(simulation.set_motion(8.into(), None).is_err());
     assert!(simulation.set_local_damping(Some(2.0)).is_err());
 }
 
@@ -76,9 +76,9 @@ fn a_motion_that_a_body_has_already_changes_no_bit() {
         while plain.time() < 0.12 {
             run_towards(&mut plain, 1, 0.12);
             run_towards(&mut told, 1, 0.12);
-            for body in &scene.bodies {
+            for (place, body) in scene.bodies.iter().enumerate() {
                 let motion = body.motion.clone();
-                told.set_motion(body.id, motion).expect("the body");
+                told.set_motion(place.into(), motion).expect("the body");
             }
             pushed = pushed.max(-plain.mortar_force(1).expect("a boundary")[0]);
         }
@@ -94,24 +94,26 @@ fn a_body_with_a_boundary_is_held_and_let_go() {
     scene.bodies[1].velocity = [0.0; 3];
     let mut simulation = simulation(&scene);
     let still = constant([0.0; 3]);
-    simulation.set_motion(2, Some(still)).expect("the body");
+    simulation
+        .set_motion(1.into(), Some(still))
+        .expect("the body");
     let before = simulation.boundary_vertices(2).expect("a boundary");
-    let x = simulation.center(1).1;
+    let x = simulation.center(1).position;
     while simulation.mortar_force(1).expect("a boundary")[0] > -100.0 {
         run_towards(&mut simulation, 1, 1.0);
         assert!(simulation.time() < 0.2, "they never meet");
     }
-    assert_eq!(simulation.center(1).1, x);
+    assert_eq!(simulation.center(1).position, x);
     let after = simulation.boundary_vertices(2).expect("a boundary");
     for (a, b) in before.iter().zip(&after) {
         assert_eq!(a, b);
     }
-    simulation.set_motion(2, None).expect("the body");
+    simulation.set_motion(1.into(), None).expect("the body");
     run_until(&mut simulation, 0.3);
-    let [first, second] = [0, 1].map(|set| simulation.center(set).2[0]);
+    let [first, second] = [0, 1].map(|set| simulation.center(set).velocity[0]);
     assert!(second > 0.5 && first < second, "{first} {second}");
     // Its boundary went with it.
-    let moved = simulation.center(1).1[0] - x[0];
+    let moved = simulation.center(1).position[0] - x[0];
     let vertices = simulation.boundary_vertices(2).expect("a boundary");
     let of_vertices = vertices.iter().zip(&before);
     let mean = of_vertices.map(|(a, b)| a[0] - b[0]).sum::<f64>() / before.len() as f64;

@@ -58,7 +58,7 @@ fn nothing_passes_through_a_thin_plate_unseen() {
                     }
                 }
             }
-            let x = simulation.center(1).1[0];
+            let x = simulation.center(1).position[0];
             assert!(x < 1.5, "{scheme:?} {speed}: through, at {x}");
         }
     }

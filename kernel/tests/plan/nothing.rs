@@ -114,7 +114,10 @@ fn bits(simulation: &Simulation) -> Vec<u64> {
     let mut all: Vec<(u64, Vec<u64>)> = vec![];
     for (index, set) in simulation.sets().iter().enumerate() {
         for p in 0..set.len() {
-            let (m, v) = simulation.mass_and_volume(index, p);
+            let (m, v) = (
+                simulation.particle_mass(index, p),
+                simulation.particle_volume(index, p),
+            );
             let numbers = [m, v].into_iter().chain(set.position(p));
             let numbers = numbers.chain(set.velocity(p)).chain(set.stress(p));
             all.push((set.id[p], numbers.map(f64::to_bits).collect()));

@@ -101,7 +101,7 @@ fn pushed_by_the_user_or_by_gravity() {
             };
             let mut simulation = Simulation::new(scene, &options).expect("a sound scene");
             run(&mut simulation, 50);
-            (simulation.center(0).2, simulation.energy())
+            (simulation.center(0).velocity, simulation.energy())
         };
         let a = [0.3, -0.5, 0.0];
         let (v, energy) = at_end(&scene, vec![Arc::new(Push(a))]);

@@ -26,7 +26,7 @@ fn result(touching: &Touching, threads: usize, lanes: LaneChoice) -> (u64, Vec<[
             vectors.push(simulation.surface_impulse(0, set));
         }
     }
-    for vertex in simulation.boundaries().0 {
+    for vertex in simulation.boundaries().vertices {
         vectors.extend([vertex.position, vertex.force]);
     }
     let bits = |v: &Vector| v.map(f64::to_bits);

@@ -6,6 +6,7 @@ mod conservation;
 mod contact;
 mod contact_bits;
 mod far_origin;
+mod handles;
 mod histories;
 mod interactions;
 mod least_squares;

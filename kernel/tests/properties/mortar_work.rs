@@ -101,7 +101,7 @@ fn first_step(scene: &Scene, id: i64) -> EnergyLedger {
     let before = simulation.boundary_vertices(id).expect("has one");
     let dt = simulation.step(f64::INFINITY).expect("runs").dt;
     let after = simulation.boundary_vertices(id).expect("has one");
-    let (vertices, _) = simulation.boundaries();
+    let vertices = simulation.boundaries().vertices;
     let forces = vertices
         .iter()
         .filter(|vertex| vertex.id == id)

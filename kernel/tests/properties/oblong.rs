@@ -70,7 +70,7 @@ fn a_linear_velocity_is_carried_to_round_off() {
                 let what = format!("{dimension:?} {weighting:?} {scheme:?} {transfer:?}");
                 let mut simulation = simulation_from(&scene, linear(a));
                 let before = particles(&simulation);
-                let volume = simulation.mass_and_volume(0, 0).1;
+                let volume = simulation.particle_volume(0, 0);
                 let dt = simulation.step(NEVER).expect("the step is sound").dt;
                 let set = &simulation.sets()[0];
                 let affine = set.layout.affine.expect("it is carried");
@@ -95,7 +95,7 @@ fn a_linear_velocity_is_carried_to_round_off() {
                     }
                     // USF strains at the new positions, where this velocity is not linear to round-off any more.
                     if scheme != StressScheme::Usf {
-                        let ratio = simulation.mass_and_volume(0, p).1 / volume;
+                        let ratio = simulation.particle_volume(0, p) / volume;
                         assert!((ratio - f).abs() < 1.0e-12, "{what}: {ratio} {f}");
                     }
                 }
@@ -132,7 +132,10 @@ fn the_critical_step_knows_the_smallest_edge_the_speed_and_the_volume() {
                 let (mut speed, mut wave) = (0.0_f64, 0.0_f64);
                 for p in 0..simulation.particles() {
                     let v = simulation.sets()[0].velocity(p);
-                    let (mass, volume) = simulation.mass_and_volume(0, p);
+                    let (mass, volume) = (
+                        simulation.particle_mass(0, p),
+                        simulation.particle_volume(0, p),
+                    );
                     speed = speed.max((v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt());
                     wave = wave.max((modulus * volume / mass).sqrt());
                     volumes = volumes.max((volume * DENSITY / mass - 1.0).abs());

@@ -15,10 +15,6 @@ type Seen = Arc<Mutex<Vec<Range<usize>>>>;
 struct Looks(Seen);
 
 impl Interaction for Looks {
-    fn boxed(&self) -> Box<dyn Interaction> {
-        Box::new(self.clone())
-    }
-
     fn owners(&self) -> BodyList {
         BodyList::new()
     }

@@ -128,19 +128,22 @@ impl Stack {
     fn accelerations(&self) -> (Vec<f64>, f64) {
         let mut simulation = self.simulation(&self.scene(), 1);
         let bodies = simulation.sets().len();
-        let begin = simulation.center(bodies - 1).1[2];
+        let begin = simulation.center(bodies - 1).position[2];
         let mut first = None;
         while simulation.time() < TO {
             simulation.step(TO).expect("a step");
             if simulation.time() >= FROM && first.is_none() {
-                let speeds: Vec<f64> = (0..bodies).map(|b| simulation.center(b).2[0]).collect();
+                let speeds: Vec<f64> = (0..bodies)
+                    .map(|b| simulation.center(b).velocity[0])
+                    .collect();
                 first = Some((simulation.velocity_time(), speeds));
             }
         }
         let (from, speeds) = first.expect("it lasts longer");
         let time = simulation.velocity_time() - from;
-        let of = |(body, speed): (usize, &f64)| (simulation.center(body).2[0] - speed) / time;
-        let rise = simulation.center(bodies - 1).1[2] - begin;
+        let of =
+            |(body, speed): (usize, &f64)| (simulation.center(body).velocity[0] - speed) / time;
+        let rise = simulation.center(bodies - 1).position[2] - begin;
         (speeds.iter().enumerate().map(of).collect(), rise)
     }
 }
@@ -218,9 +221,7 @@ fn momentum_of_the_stack() {
         };
         let scene = stack.scene();
         let mut simulation = stack.simulation(&scene, 1);
-        while simulation.time() < 0.1 {
-            simulation.step(0.1).expect("a step");
-        }
+        simulation.run_until(0.1).expect("a step");
         let (t, m) = (simulation.velocity_time(), simulation.mass());
         let impulse = simulation.surface_impulse(0, 0);
         let momentum = simulation.momentum();
@@ -266,9 +267,7 @@ fn bits_do_not_depend_on_threads() {
         };
         let run = |threads: usize| {
             let mut simulation = stack.simulation(&stack.scene(), threads);
-            while simulation.time() < 0.02 {
-                simulation.step(0.02).expect("a step");
-            }
+            simulation.run_until(0.02).expect("a step");
             assert_eq!(simulation.contact_layers(), 2);
             (simulation.state_hash(), simulation.surface_impulse(0, 0))
         };
@@ -300,9 +299,7 @@ fn a_far_pair_changes_no_bit() {
             scene.contacts.clear();
         }
         let mut simulation = start(&scene, 1);
-        while simulation.time() < 0.02 {
-            simulation.step(0.02).expect("a step");
-        }
+        simulation.run_until(0.02).expect("a step");
         assert_eq!(simulation.contact_layers(), 0);
         simulation.state_hash()
     };
@@ -336,10 +333,8 @@ fn a_surface_pushes_bodies_that_stick_together_as_one() {
                 scene.bodies.push(piece);
             }
             let mut simulation = stack.simulation(&scene, 1);
-            while simulation.time() < 0.1 {
-                simulation.step(0.1).expect("a step");
-            }
-            let x = simulation.center(1).1;
+            simulation.run_until(0.1).expect("a step");
+            let x = simulation.center(1).position;
             let impulse: f64 = (0..simulation.sets().len())
                 .map(|set| simulation.surface_impulse(0, set)[2])
                 .sum();

@@ -11,12 +11,12 @@ const SCHEMES: [StressScheme; 3] = [StressScheme::Usl, StressScheme::Usf, Stress
 /// Runs to the end; the acceleration down the slope, fitted over the second half, and the way of the centre of mass.
 fn slide(slope: &Slope) -> (f64, f64) {
     let mut simulation = slope.simulation(1);
-    let start = simulation.center(0).1;
+    let start = simulation.center(0).position;
     let mut samples = vec![];
     while simulation.time() < slope.end {
         simulation.step(slope.end).expect("a step");
         if simulation.time() > 0.5 * slope.end {
-            let v = dot(&simulation.center(0).2, &slope.down());
+            let v = dot(&simulation.center(0).velocity, &slope.down());
             samples.push((simulation.velocity_time(), v));
         }
     }
@@ -24,7 +24,7 @@ fn slide(slope: &Slope) -> (f64, f64) {
     let mean = |of: &dyn Fn(&(f64, f64)) -> f64| samples.iter().map(of).sum::<f64>() / count;
     let (t, v) = (mean(&|s| s.0), mean(&|s| s.1));
     let fit = mean(&|s| (s.0 - t) * (s.1 - v)) / mean(&|s| (s.0 - t).powi(2));
-    let end = simulation.center(0).1;
+    let end = simulation.center(0).position;
     let moved = std::array::from_fn(|axis| end[axis] - start[axis]);
     (fit, dot(&moved, &slope.down()))
 }
@@ -66,15 +66,15 @@ fn a_rough_plane_holds_the_block() {
         let mut scene = slope.scene();
         scene.damping = Damping::Local { alpha: 0.3 };
         let mut simulation = start(&scene, 1);
-        let begin = simulation.center(0).1;
+        let begin = simulation.center(0).position;
         let mut middle = begin;
         while simulation.time() < slope.end {
             simulation.step(slope.end).expect("a step");
             if simulation.time() < 0.5 * slope.end {
-                middle = simulation.center(0).1;
+                middle = simulation.center(0).position;
             }
         }
-        let end = simulation.center(0).1;
+        let end = simulation.center(0).position;
         let way = |a: &[f64; 3], b: &[f64; 3]| {
             dot(
                 &std::array::from_fn(|axis| b[axis] - a[axis]),
@@ -105,9 +105,7 @@ fn the_plane_carries_the_weight() {
         scene.gravity = slope.normal().map(|n| -GRAVITY * n);
         scene.damping = Damping::Local { alpha: 0.2 };
         let mut simulation = start(&scene, 1);
-        while simulation.time() < slope.end {
-            simulation.step(slope.end).expect("a step");
-        }
+        simulation.run_until(slope.end).expect("a step");
         let gaps: Vec<f64> = (0..simulation.particles())
             .filter_map(|p| simulation.surface_gap(0, 0, p, 0.2 * H))
             .map(|(gap, _)| gap / H)
@@ -142,9 +140,7 @@ fn impulse_is_change_of_momentum() {
             scene.transfer = Transfer::new(kind);
             let mut simulation = start(&scene, 1);
             let before = simulation.momentum();
-            while simulation.time() < slope.end {
-                simulation.step(slope.end).expect("a step");
-            }
+            simulation.run_until(slope.end).expect("a step");
             let (after, impulse) = (simulation.momentum(), simulation.surface_impulse(0, 0));
             let scale = simulation.mass() * (slope.speed + GRAVITY * slope.end);
             for axis in [0, 2] {
@@ -210,9 +206,7 @@ fn bits_do_not_depend_on_threads() {
         };
         let run = |threads: usize| {
             let mut simulation = slope.simulation(threads);
-            while simulation.time() < slope.end {
-                simulation.step(slope.end).expect("a step");
-            }
+            simulation.run_until(slope.end).expect("a step");
             (simulation.state_hash(), simulation.surface_impulse(0, 0))
         };
         let one = run(1);
@@ -238,9 +232,7 @@ fn a_surface_that_moves() {
     let along = scene.bodies[0].velocity;
     scene.surfaces[0].motion = Some(steady(along));
     let mut simulation = start(&scene, 1);
-    while simulation.time() < slope.end {
-        simulation.step(slope.end).expect("a step");
-    }
+    simulation.run_until(slope.end).expect("a step");
     let impulse = simulation.surface_impulse(0, 0);
     let scale = simulation.mass() * slope.speed;
     assert!(dot(&impulse, &impulse).sqrt() < 1e-9 * scale, "{impulse:?}");
@@ -272,7 +264,7 @@ fn a_surface_that_moves() {
     }
     let shift = simulation.surface_shift(0, simulation.time());
     assert!((dot(&shift, &up) - (0.05 + 0.2)).abs() < 1e-12);
-    let speed = dot(&simulation.center(0).2, &up);
+    let speed = dot(&simulation.center(0).velocity, &up);
     assert!(speed > 0.99, "{speed}");
     let energy = simulation.energy();
     assert!(energy.external_work > energy.kinetic);
@@ -302,7 +294,7 @@ fn a_surface_that_comes_from_afar() {
         let deepest = gaps.fold(0.0_f64, |least, (gap, _)| least.min(gap));
         assert!(deepest > -1e-2 * H, "{deepest}");
     }
-    let speed = dot(&simulation.center(0).2, &up);
+    let speed = dot(&simulation.center(0).velocity, &up);
     assert!(speed > 0.9, "{speed}");
 }
 

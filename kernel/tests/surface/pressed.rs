@@ -81,9 +81,7 @@ fn pressed(scheme: StressScheme, weighting: Weighting, bottom: f64) -> Vec<f64> 
         ..Options::default()
     };
     let mut simulation = scene.simulate(&options).expect("sound");
-    while simulation.time() < scene.time {
-        simulation.step(scene.time).expect("a step");
-    }
+    simulation.run_until(scene.time).expect("a step");
     let modulus = YOUNG * (1.0 - POISSON) / ((1.0 + POISSON) * (1.0 - 2.0 * POISSON));
     let of_layer = |k: usize| {
         let here = |p: &usize| {

@@ -102,7 +102,7 @@ fn momentum(simulation: &Simulation) -> f64 {
     let set = &simulation.sets()[0];
     let h = simulation.scene().mesh.cell[0];
     let terms = (0..set.len()).map(|p| {
-        let (m, _) = simulation.mass_and_volume(0, p);
+        let m = simulation.particle_mass(0, p);
         let (x, v) = (simulation.position(0, p), set.velocity(p));
         let affine = set.layout.affine.map_or(0.0, |first| {
             // Row by row: dv_x/dy and dv_y/dx.

@@ -110,7 +110,8 @@ fn quantities(
     before: f64,
 ) -> Vec<Quantity> {
     let up = simulation.scene().dimension.axes() - 1;
-    let (mass, _, velocity) = simulation.center(2);
+    let center = simulation.center(2);
+    let (mass, velocity) = (center.mass, center.velocity);
     let weight = mass * GRAVITY;
     let exact = weight / reference.of(&WRONG_WEIGHT);
     let all = weight * window.time;
@@ -211,7 +212,7 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
     let end = simulation.scene().time;
     run_until(simulation, SETTLING, observer, |_| ())?;
     simulation.set_local_damping(None)?;
-    let before = simulation.center(2).2[up];
+    let before = simulation.center(2).velocity[up];
     let mut kicked = simulation.velocity_time();
     let mut window = Window::default();
     run_until(simulation, end, observer, |s| {
@@ -258,7 +259,7 @@ fn mean_stress(simulation: &Simulation, up: usize) -> [f64; 2] {
         let mut order: Vec<usize> = (0..set.len()).collect();
         order.sort_unstable_by_key(|&p| set.id[p]);
         for p in order {
-            let m = simulation.mass_and_volume(body, p).0;
+            let m = simulation.particle_mass(body, p);
             *stress += m * set.stress(p)[up];
             *mass += m;
         }

@@ -110,8 +110,8 @@ fn quantities(
     simulation: &Simulation,
     seen: &Collision,
 ) -> Vec<Quantity> {
-    let masses = [0, 1].map(|i| simulation.center(i).0);
-    let after = [0, 1].map(|i| simulation.center(i).2[0]);
+    let masses = [0, 1].map(|i| simulation.center(i).mass);
+    let after = [0, 1].map(|i| simulation.center(i).velocity[0]);
     let before = variant.velocities();
     let scale: f64 = (0..2).map(|i| masses[i] * before[i].abs()).sum();
     let now = simulation.momentum();

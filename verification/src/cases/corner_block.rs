@@ -75,7 +75,7 @@ fn exact() -> Slope {
 
 /// How far the base of the block has turned, at most \[rad\].
 fn turn(simulation: &Simulation) -> f64 {
-    let (vertices, _) = simulation.boundaries();
+    let vertices = simulation.boundaries().vertices;
     let own: Vec<_> = vertices.iter().filter(|v| v.id == 1).collect();
     let sides = own.windows(2).map(|w| [w[0].position, w[1].position]);
     sides
@@ -90,7 +90,7 @@ fn excess(simulation: &Simulation, turn: f64) -> [f64; 2] {
     let most = libm::tan(libm::atan(FRICTION) + turn);
     let over = |[along, into, _]: Vector| along.abs() / (most * into) - 1.0;
     let weight = DENSITY * LENGTH * HEIGHT * GRAVITY;
-    let (vertices, _) = simulation.boundaries();
+    let vertices = simulation.boundaries().vertices;
     let pressed = vertices
         .iter()
         .filter(|v| v.id == 1 && v.force[1] > PRESSED * weight);
@@ -153,7 +153,7 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
     run_until(simulation, STAGE, &mut *observer, |_| ())?;
     simulation.set_local_damping(None)?;
     simulation.set_friction(1, reference.of(&WRONG_FRICTION) * FRICTION)?;
-    let (_, start, _) = simulation.center(0);
+    let start = simulation.center(0).position;
     let mut most = [f64::NEG_INFINITY; 2];
     let mut turned = turn(simulation);
     let mut points = vec![];
@@ -175,7 +175,7 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
         })?;
         points.push(CurvePoint::new(
             time,
-            simulation.center(0).1[0] - start[0],
+            simulation.center(0).position[0] - start[0],
             exact.displacement(time),
         ));
     }

@@ -232,7 +232,7 @@ impl Off {
         let volumes = path.iter().map(|(_, state)| state.volume.abs());
         Self {
             volumes: (0..simulation.sets()[0].len())
-                .map(|p| simulation.mass_and_volume(0, p).1)
+                .map(|p| simulation.particle_volume(0, p))
                 .collect(),
             scales: [
                 (end.stress[1] - end.stress[0]).abs(),
@@ -245,7 +245,7 @@ impl Off {
     /// Compares all particles with a state.
     fn compare(&mut self, simulation: &Simulation, state: &State) {
         for (p, volume) in self.volumes.iter().enumerate() {
-            let grown = libm::log(simulation.mass_and_volume(0, p).1 / volume);
+            let grown = libm::log(simulation.particle_volume(0, p) / volume);
             keep(&mut self.most[1], (grown - state.volume) / self.scales[1]);
             let stress = simulation.sets()[0].stress(p);
             // There is no shear.

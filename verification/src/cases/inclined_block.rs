@@ -328,7 +328,7 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
     incline.release(simulation, observer)?;
     let tracks = follow(&incline, simulation, observer)?;
     let problem = *rung.problem::<Problem>();
-    let moved = simulation.center(1).1[0] - 0.5 * (ALONG[0] + ALONG[1]);
+    let moved = simulation.center(1).position[0] - 0.5 * (ALONG[0] + ALONG[1]);
     let quantities = quantities(&tracks[0], moved, &problem, incline.height);
     let curve = sliding_curve(&tracks[0], &exact(&problem), &rung.label);
     Ok(Found::new(quantities, Some(curve)))

@@ -274,7 +274,7 @@ pub(super) fn compare(run: Run<'_>) -> Result<Found, Failure> {
     let (sin, cos) = libm::sincos(INCLINATION_DEGREES.to_radians());
     simulation.set_local_damping(None)?;
     simulation.set_gravity([GRAVITY * sin, -GRAVITY * cos, 0.0])?;
-    let (_, start, _) = simulation.center(0);
+    let start = simulation.center(0).position;
     let exact = exact(reference, rung);
     let (mut points, mut turn) = (vec![], 0.0);
     for k in 1..=20 {
@@ -283,7 +283,7 @@ pub(super) fn compare(run: Run<'_>) -> Result<Found, Failure> {
         follow(simulation, STAGE + time, &mut turn)?;
         points.push(CurvePoint::new(
             time,
-            simulation.center(0).1[0] - start[0],
+            simulation.center(0).position[0] - start[0],
             exact.way_and_turn(time).0,
         ));
     }
@@ -308,19 +308,16 @@ pub(super) fn compare(run: Run<'_>) -> Result<Found, Failure> {
 /// Sum of the particles' volumes \[m²\].
 fn area(simulation: &Simulation) -> f64 {
     (0..simulation.particles())
-        .map(|p| simulation.mass_and_volume(0, p).1)
+        .map(|p| simulation.particle_volume(0, p))
         .sum()
 }
 
 /// Angular velocity down the plane (clockwise), as angular momentum over moment of inertia \[1/s\].
 fn angular_velocity(simulation: &Simulation) -> f64 {
-    let (_, x_c, _) = simulation.center(0);
+    let x_c = simulation.center(0).position;
     let mut inertia = 0.0;
     for p in 0..simulation.particles() {
-        let (m, x) = (
-            simulation.mass_and_volume(0, p).0,
-            simulation.position(0, p),
-        );
+        let (m, x) = (simulation.particle_mass(0, p), simulation.position(0, p));
         let (rx, ry) = (x[0] - x_c[0], x[1] - x_c[1]);
         inertia += m * (rx * rx + ry * ry);
     }

@@ -161,7 +161,8 @@ fn touch(terrain: &Surface, seeds: &[Vector], half: f64, velocity: &Vector) -> f
 /// Looks at the state after a step.
 fn look(simulation: &Simulation, terrain: &HeightField, start: &Start, seen: &mut Seen) {
     let h = simulation.scene().mesh.cell[0];
-    let (m, x, _) = simulation.center(0);
+    let center = simulation.center(0);
+    let (m, x) = (center.mass, center.position);
     let t = simulation.time();
     let force = simulation.contact_force(0);
     let weight = m * GRAVITY;
@@ -222,7 +223,7 @@ fn quantities(
     start: &Start,
     touch: Option<f64>,
 ) -> Vec<Quantity> {
-    let m = simulation.center(0).0;
+    let m = simulation.center(0).mass;
     let momentum = simulation.momentum();
     let impulse = simulation.surface_impulse(0, 0);
     let t = simulation.velocity_time();
@@ -262,13 +263,7 @@ struct Start {
 fn velocities(simulation: &Simulation) -> Vec<(f64, Vector)> {
     let set = &simulation.sets()[0];
     let mut all: Vec<_> = (0..set.len())
-        .map(|p| {
-            (
-                set.id[p],
-                simulation.mass_and_volume(0, p).0,
-                set.velocity(p),
-            )
-        })
+        .map(|p| (set.id[p], simulation.particle_mass(0, p), set.velocity(p)))
         .collect();
     all.sort_unstable_by_key(|particle| particle.0);
     all.into_iter().map(|(_, m, v)| (m, v)).collect()
@@ -364,7 +359,7 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
     // The study does not ask for it, and it takes longer than a short run.
     let is_asked = rung.variant != BOUNCE.0;
     let touch = is_asked.then(|| touch(&surface, &seeds, half, &velocity));
-    let center = simulation.center(0).1;
+    let center = simulation.center(0).position;
     let start = Start { center, velocity };
     let terrain = HeightField::new(&surface);
     let mut seen = Seen::default();

@@ -86,7 +86,7 @@ fn arm(load: f64) -> f64 {
 /// Force on a disk \[N/m\]: away from the other one, and along the tangent that turns it anticlockwise.
 fn force_on(simulation: &Simulation, id: i64) -> [f64; 2] {
     let other = 3 - id;
-    let [own, far] = [id, other].map(|id| simulation.center(id as usize - 1).1);
+    let [own, far] = [id, other].map(|id| simulation.center(id as usize - 1).position);
     let apart = [own[0] - far[0], own[1] - far[1]];
     let length = libm::hypot(apart[0], apart[1]);
     let n = apart.map(|a| a / length);

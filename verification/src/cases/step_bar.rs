@@ -233,7 +233,7 @@ fn speed_behind_the_front(simulation: &Simulation, t: f64) -> Result<f64, Failur
     for p in 0..simulation.particles() {
         let depth = LENGTH - simulation.initial_position(0, p).ok_or(MISSING)?[0];
         if depth < 0.5 * way {
-            let m = simulation.mass_and_volume(0, p).0;
+            let m = simulation.particle_mass(0, p);
             let u = -simulation.displacement(0, p).ok_or(MISSING)?[0];
             sum += m * u / (t * (1.0 - depth / way));
             mass += m;
@@ -286,7 +286,7 @@ fn thrown(
         (kicked, force_at) = (s.velocity_time(), s.time());
     })?;
     let pressure = judged[0] / judged[1] / section(simulation);
-    let rebound = simulation.center(0).2[0];
+    let rebound = simulation.center(0).velocity[0];
     let quantities = vec![
         Quantity::compared(DURATION, 2.0 * moment / impulse, exact.duration, "s"),
         Quantity::compared(PRESSURE, pressure, exact.stress, "Pa"),

@@ -397,7 +397,7 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
     let weight = GRAVITY * libm::cos(TILT.to_radians());
     let mut deepest = 0.0_f64;
     let directions = [frame.down, frame.out];
-    let aside = |simulation: &Simulation| dot(&simulation.center(0).1, &frame.across);
+    let aside = |simulation: &Simulation| dot(&simulation.center(0).position, &frame.across);
     let begin = aside(simulation);
     let tracks = follow_along(directions, &[0], weight, simulation, observer, |s| {
         if s.steps().is_multiple_of(50) {

@@ -47,10 +47,10 @@ impl Seen {
     pub fn start(simulation: &Simulation) -> Self {
         let mut particles = vec![];
         for (index, set) in simulation.sets().iter().enumerate() {
-            let body = simulation.body_and_material(index).0;
+            let body = simulation.body(index).id;
             particles.extend((0..set.len()).map(|p| {
                 let position = simulation.position(index, p);
-                let mass = simulation.mass_and_volume(index, p).0;
+                let mass = simulation.particle_mass(index, p);
                 Particle {
                     body,
                     id: set.id[p],
@@ -101,7 +101,7 @@ impl Seen {
             let Some(first) = set.layout.affine else {
                 continue;
             };
-            let (body, axes) = (simulation.body_and_material(index).0, set.layout.axes);
+            let (body, axes) = (simulation.body(index).id, set.layout.axes);
             for p in 0..set.len() {
                 let own = (body, set.id[p]);
                 let found = (self.particles).binary_search_by_key(&own, |q| (q.body, q.id));

@@ -5,19 +5,14 @@
 //! whole and half steps.
 
 use proctor_laws::tensor::Configuration;
-use proctor_laws::{Increment, Law};
+use proctor_laws::{Component, Increment, Law, Stress};
 
 use super::material::{determinant_of, divergence, inverse_of, product_of};
 use super::motion::{Matrix, Moment, Place, matrix};
 use crate::exact::jet::{Jet, Scalar};
 
-/// The places of the components of a stress in the matrix, in the plane and in space, as a law orders them.
-const PLANE: [(usize, usize); 4] = [(0, 0), (1, 1), (2, 2), (0, 1)];
-const SPACE: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1)];
-
-fn slots<const D: usize>() -> &'static [(usize, usize)] {
-    if D == 2 { &PLANE } else { &SPACE }
-}
+/// Places of the components of a stress in its matrix: xx, yy, zz, yz, xz, xy.
+const PLACES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1)];
 
 /// The law, and what it begins with.
 pub struct Start<'a, M> {
@@ -34,8 +29,7 @@ pub struct Start<'a, M> {
 /// A particle on its way.
 #[derive(Clone)]
 struct State<const D: usize> {
-    /// Ordered as a law is given it.
-    stress: [Jet<D>; 6],
+    stress: Stress<Jet<D>, D>,
     variables: Vec<Jet<D>>,
 }
 
@@ -83,10 +77,9 @@ pub fn follow<M: Law, const D: usize>(
     mut at: impl FnMut(usize, [f64; 3]),
 ) -> Ended {
     let zero = Jet::<D>::of(0.0);
-    let mut stress = [zero; 6];
-    for (slot, (i, j)) in slots::<D>().iter().enumerate() {
-        let number = SPACE.iter().position(|pair| pair == &(*i, *j)).unwrap_or(0);
-        stress[slot] = Jet::constant(start.stress[number]);
+    let mut stress = Stress::of_packed([zero; 6]);
+    for component in Component::ALL {
+        stress[component] = Jet::constant(start.stress[component.place()]);
     }
     let initial = M::VARIABLES.iter();
     let variables = initial
@@ -110,18 +103,18 @@ pub fn follow<M: Law, const D: usize>(
                 strain(start, &mut whole, [before, &now], dt);
             }
             half = Some(now);
-            let stress = std::array::from_fn(|slot| better(fine.stress[slot], whole.stress[slot]));
+            let stress = Component::ALL.map(|c| better(fine.stress[c], whole.stress[c]));
             let jacobian = determinant_of::<_, D>(&now);
             let kirchhoff = full::<D>(&stress).map(|row| row.map(|s| s * jacobian));
             at(number / 2, divergence::<D>(&kirchhoff, &now));
         }
         deformation = now;
     }
-    let stress = std::array::from_fn(|slot| better(fine.stress[slot], whole.stress[slot]));
+    let stress = Component::ALL.map(|c| better(fine.stress[c], whole.stress[c]));
     let full = full::<D>(&stress);
     let both = fine.variables.iter().zip(&whole.variables);
     Ended {
-        stress: SPACE.map(|(i, j)| full[i][j].value),
+        stress: PLACES.map(|(i, j)| full[i][j].value),
         variables: both.map(|(f, w)| better(*f, *w).value).collect(),
         least_growth,
     }
@@ -135,9 +128,9 @@ fn variable<const D: usize>(state: &State<D>) -> f64 {
 /// A stress as a matrix.
 fn full<const D: usize>(stress: &[Jet<D>; 6]) -> Matrix<Jet<D>> {
     let mut out = [[Jet::of(0.0); 3]; 3];
-    for (slot, (i, j)) in slots::<D>().iter().enumerate() {
-        out[*i][*j] = stress[slot];
-        out[*j][*i] = stress[slot];
+    for ((i, j), entry) in PLACES.into_iter().zip(stress) {
+        out[i][j] = *entry;
+        out[j][i] = *entry;
     }
     out
 }

@@ -2,7 +2,7 @@
 
 use proctor_kernel::layout::Variable;
 use proctor_laws::tensor::{determinant, product};
-use proctor_laws::{AnyLaw, Increment, Law, LinearElastic, NeoHookean, Particle, VonMises};
+use proctor_laws::{AnyLaw, Increment, Law, LinearElastic, NeoHookean, Particle, Stress, VonMises};
 use proctor_scene::prelude::Lanes;
 use proctor_scene::{StressScheme, TransferKind};
 use proctor_verification::mill::expected::{self, Gate};
@@ -50,7 +50,7 @@ impl<M: Law> Law for Faulty<M> {
     fn update<L: Lanes, const D: usize>(
         &self,
         increment: &Increment<L>,
-        stress: &mut [L; 6],
+        stress: &mut Stress<L, D>,
         variables: &mut [L],
     ) -> L {
         let g = increment.gradient;
@@ -72,11 +72,11 @@ impl<M: Law> Law for Faulty<M> {
         // Stress times V is what nodes feel: sigma V_0 for sigma V.
         let jacobian = wrong.volume / wrong.mass * L::splat(wrong.density);
         let before = jacobian / determinant::<L, D>(&one_plus::<L, D>(&g));
-        for entry in stress.iter_mut() {
+        for entry in stress.packed_mut() {
             *entry = *entry * before;
         }
         let speed = self.law.update::<L, D>(&wrong, stress, variables);
-        for entry in stress.iter_mut() {
+        for entry in stress.packed_mut() {
             *entry = *entry / jacobian;
         }
         speed
@@ -124,7 +124,7 @@ impl Law for OwnDeformation {
     fn update<L: Lanes, const D: usize>(
         &self,
         increment: &Increment<L>,
-        stress: &mut [L; 6],
+        stress: &mut Stress<L, D>,
         variables: &mut [L],
     ) -> L {
         let (zero, one) = (L::splat(0.0), L::splat(1.0));

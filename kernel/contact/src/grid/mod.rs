@@ -19,8 +19,8 @@ use proctor_geometry::memory::Memory;
 use proctor_kernel::model::{CycleSettings, Shape, StressScheme, Vector};
 use proctor_kernel::simulation::{
     BalanceTraits, BodyList, BodyRun, EventKind, Grid, InitialOverlap, Interaction,
-    InteractionError, NodalConditions, PairList, SavedArrays, SetupError, SlabPart, StepUpdate,
-    StepView, VelocityMapping,
+    InteractionError, NodalConditions, NodalForce, PairList, SavedArrays, SetupError, SlabPart,
+    StepUpdate, StepView, VelocityMapping,
 };
 use slab_contact::SharedContact;
 use std::any::Any;
@@ -172,10 +172,6 @@ impl GridContact {
 }
 
 impl Interaction for GridContact {
-    fn boxed(&self) -> Box<dyn Interaction> {
-        Box::new(self.clone())
-    }
-
     /// Refuses bodies of a pair that overlap.
     fn start(&self, view: &StepView<'_>) -> Result<(), SetupError> {
         let bodies = view.bodies.iter();
@@ -303,14 +299,19 @@ impl Interaction for GridContact {
         }
     }
 
-    fn nodal_forces(&self, _: &Grid, give: &mut dyn FnMut(usize, usize, Vector, f64)) {
+    fn nodal_forces(&self, _: &Grid, give: &mut dyn FnMut(NodalForce)) {
         for meetings in self.met.iter().map(|met| &met.meetings) {
             for meeting in &meetings.nodes {
                 for touch in &meetings.touches[meeting.touches.clone()] {
-                    let (pair, node) = (&self.shared.pairs[touch.pair], meeting.node);
-                    let reaction = touch.force.map(|f| -f);
-                    give(pair.master, node, reaction, touch.gap);
-                    give(pair.slave, node, touch.force, touch.gap);
+                    let pair = &self.shared.pairs[touch.pair];
+                    let on = |body, force| NodalForce {
+                        body,
+                        node: meeting.node,
+                        force,
+                        gap: touch.gap,
+                    };
+                    give(on(pair.master, touch.force.map(|f| -f)));
+                    give(on(pair.slave, touch.force));
                 }
             }
         }

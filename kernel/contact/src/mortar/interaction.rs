@@ -10,10 +10,6 @@ use proctor_kernel::simulation::{
 };
 
 impl Interaction for MortarState {
-    fn boxed(&self) -> Box<dyn Interaction> {
-        Box::new(self.clone())
-    }
-
     /// Bodies whose boundary moves with a velocity field of their own.
     fn owners(&self) -> BodyList {
         let plane = self.plane.surfaces.iter().filter_map(MovingBoundary::body);

@@ -35,7 +35,7 @@ pub(crate) const MORTAR: ContactType = ContactType {
 };
 
 pub use error::MortarError;
-pub use vertices::{BoundaryDrift, BoundaryVertex, VertexState};
+pub use vertices::{BoundaryDrift, BoundaryMesh, BoundaryVertex, VertexState};
 
 use crate::geometry::mortar::bound::NodalStiffness;
 use crate::geometry::mortar::boundary::Boundary;

@@ -9,7 +9,7 @@ use crate::geometry::mortar::pair::{PairForces, VertexContact};
 use proctor_kernel::model::Vector;
 use proctor_kernel::simulation::StepView;
 
-/// What a slave feels at a vertex, or on one side of a sharp corner, for output.
+/// Contact state of a slave at a vertex, or on one side of a sharp corner, for output.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VertexState {
     /// Position in the coordinates of the scene \[m\].
@@ -48,6 +48,15 @@ pub struct BoundaryVertex {
     pub force: Vector,
 }
 
+/// The vertices of boundaries, and the edges between them, for output.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct BoundaryMesh {
+    /// Vertices, boundary after boundary.
+    pub vertices: Vec<BoundaryVertex>,
+    /// Segments or edges of triangles, each once, by the places of their two vertices.
+    pub edges: Vec<[usize; 2]>,
+}
+
 /// The drift of a vertex off its body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BoundaryDrift {
@@ -81,14 +90,14 @@ impl MortarState {
         })
     }
 
-    /// The vertices of all boundaries, rigid lines and rigid surfaces, one after the other, and the segments or edges of
-    /// triangles between them, each once. Contact is as of the last detection.
+    /// The vertices of all boundaries, rigid lines and rigid surfaces, and the edges between them. Contact is as of the last
+    /// detection.
     #[must_use]
-    pub fn boundaries(&self, origin: &Vector) -> (Vec<BoundaryVertex>, Vec<[usize; 2]>) {
-        let (mut vertices, mut edges) = (vec![], vec![]);
-        self.plane.shown(origin, &mut vertices, &mut edges);
-        self.space.shown(origin, &mut vertices, &mut edges);
-        (vertices, edges)
+    pub fn boundaries(&self, origin: &Vector) -> BoundaryMesh {
+        let mut mesh = BoundaryMesh::default();
+        self.plane.add_to_mesh(origin, &mut mesh);
+        self.space.add_to_mesh(origin, &mut mesh);
+        mesh
     }
 
     /// Vertices of the slave of a mortar contact as of the last detection, in order of the polyline or surface. A sharp
@@ -141,12 +150,8 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
         Some(states.collect())
     }
 
-    fn shown(
-        &self,
-        origin: &Vector,
-        vertices: &mut Vec<BoundaryVertex>,
-        edges: &mut Vec<[usize; 2]>,
-    ) {
+    fn add_to_mesh(&self, origin: &Vector, mesh: &mut BoundaryMesh) {
+        let BoundaryMesh { vertices, edges } = mesh;
         for (s, surface) in self.surfaces.iter().enumerate() {
             let first = vertices.len();
             let boundary = &surface.boundary;

@@ -24,8 +24,8 @@ use obstacle::RigidObstacle;
 use proctor_geometry::memory::Memory;
 use proctor_kernel::model::{CycleSettings, Vector};
 use proctor_kernel::simulation::{
-    BalanceTraits, BodyRun, Grid, Interaction, InteractionError, NodalConditions, Remap,
-    SavedArrays, SetupError, StepUpdate, StepView, at_half_step_after,
+    BalanceTraits, BodyRun, Grid, Interaction, InteractionError, NodalConditions, NodalForce,
+    Remap, SavedArrays, SetupError, StepUpdate, StepView, at_half_step_after,
 };
 use proctor_kernel::stage::solve::Planes;
 use pushed_particle::{PushedParticle, goes_on};
@@ -95,10 +95,6 @@ impl SurfaceContact {
 }
 
 impl Interaction for SurfaceContact {
-    fn boxed(&self) -> Box<dyn Interaction> {
-        Box::new(self.clone())
-    }
-
     fn start(&self, view: &StepView<'_>) -> Result<(), SetupError> {
         refuse_overlap_with_surfaces(view, &self.rigid)
     }
@@ -162,7 +158,7 @@ impl Interaction for SurfaceContact {
         self.hold(update, nodal, remap.lane())
     }
 
-    fn nodal_forces(&self, grid: &Grid, give: &mut dyn FnMut(usize, usize, Vector, f64)) {
+    fn nodal_forces(&self, grid: &Grid, give: &mut dyn FnMut(NodalForce)) {
         self.forces_at_nodes(grid, give);
     }
 

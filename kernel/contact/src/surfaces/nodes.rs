@@ -3,7 +3,7 @@
 use super::obstacle::RigidObstacle;
 use super::{SurfaceContact, TouchingParticles};
 use proctor_kernel::model::Vector;
-use proctor_kernel::simulation::Grid;
+use proctor_kernel::simulation::{Grid, NodalForce};
 
 impl SurfaceContact {
     /// Force of a surface on a body in the last step \[N\].
@@ -49,11 +49,7 @@ impl SurfaceContact {
 impl SurfaceContact {
     /// Forces at the nodes, particle by particle. Particles within the threshold that do not touch bring no force. A driven body
     /// has the reaction, at those of the nodes that it reaches itself.
-    pub(super) fn forces_at_nodes(
-        &self,
-        grid: &Grid,
-        give: &mut dyn FnMut(usize, usize, Vector, f64),
-    ) {
+    pub(super) fn forces_at_nodes(&self, grid: &Grid, give: &mut dyn FnMut(NodalForce)) {
         if self.last_kick <= 0.0 {
             return;
         }
@@ -62,11 +58,20 @@ impl SurfaceContact {
         } = &self.trial;
         for (touch, place) in touches.list.iter().zip(places) {
             let force = touch.impulse().map(|i| i / self.last_kick);
+            let gap = touch.gap;
+            let mut give = |body: usize, node: usize, force: Vector| {
+                give(NodalForce {
+                    body,
+                    node,
+                    force,
+                    gap,
+                });
+            };
             let weights = &touches.weights[touch.weights.clone()];
             let nodes = || weights.iter().map(|(n, w)| (touches.nodes[*n].node, w));
             for (node, w) in nodes() {
                 let share = std::array::from_fn(|axis| w[axis] * force[axis]);
-                give(place.set, node, share, touch.gap);
+                give(place.set, node, share);
             }
             let RigidObstacle::Driven(driven) = &self.rigid[place.surface] else {
                 continue;
@@ -79,7 +84,7 @@ impl SurfaceContact {
             let part = |w: f64, sum: f64| if sum > 0.0 { w / sum } else { 0.0 };
             for (node, w) in own() {
                 let share = std::array::from_fn(|k| -force[k] * part(w[k], sum[k]));
-                give(driven.body, node, share, touch.gap);
+                give(driven.body, node, share);
             }
         }
     }

@@ -1,10 +1,12 @@
 //! Contacts of a model, as checked values.
 
 mod contact;
+mod handle;
 mod mortar;
 mod surface;
 
 pub use contact::{Contact, ContactNormal};
+pub use handle::{BoundaryHandle, ContactHandle, SurfaceHandle};
 pub use mortar::{
     BodyBoundary, Enforcement, Mortar, MortarContact, RigidFacets, RigidLine, Vertices,
 };

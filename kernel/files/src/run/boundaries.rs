@@ -1,12 +1,12 @@
 //! The boundaries of mortar contact as a frame.
 
 use crate::output::{Array, ArrayData, Frame};
-use proctor_scene::simulation::{BoundaryVertex, Simulation};
+use proctor_scene::simulation::{BoundaryMesh, BoundaryVertex, Simulation};
 
 /// The vertices of all boundaries and rigid lines, joined by their segments. What contact does to them is that of the
 /// last step, found where they were at its beginning.
 pub(super) fn frame(simulation: &Simulation) -> Frame {
-    let (vertices, lines) = simulation.boundaries();
+    let BoundaryMesh { vertices, edges } = simulation.boundaries();
     let scalar =
         |of: fn(&BoundaryVertex) -> f64| ArrayData::Scalar(vertices.iter().map(of).collect());
     let integer =
@@ -26,6 +26,6 @@ pub(super) fn frame(simulation: &Simulation) -> Frame {
             Array::new("Contact Traction", vector(|v| v.traction)),
             Array::new("Contact Force", vector(|v| v.force)),
         ],
-        lines: lines.iter().map(|line| line.map(|k| k as i64)).collect(),
+        lines: edges.iter().map(|edge| edge.map(|k| k as i64)).collect(),
     }
 }

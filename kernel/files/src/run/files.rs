@@ -182,14 +182,13 @@ fn arrays(simulation: &Simulation, order: &[(usize, usize)], field: Field) -> Ve
     };
     match field {
         Field::Id => integer("Particle Id", &|s, p| set(s).id[p] as i64),
-        Field::Material => integer("Material Id", &|s, _| simulation.body_and_material(s).1),
-        Field::Body => integer("Body Id", &|s, _| simulation.body_and_material(s).0),
+        Field::Material => integer("Material Id", &|s, _| simulation.body(s).material_id),
+        Field::Body => integer("Body Id", &|s, _| simulation.body(s).id),
         Field::Active => integer("Active", &|_, _| 1),
-        Field::Mass => scalar("Mass", &|s, p| simulation.mass_and_volume(s, p).0),
-        Field::Volume => scalar("Volume", &|s, p| simulation.mass_and_volume(s, p).1),
+        Field::Mass => scalar("Mass", &|s, p| simulation.particle_mass(s, p)),
+        Field::Volume => scalar("Volume", &|s, p| simulation.particle_volume(s, p)),
         Field::Density => scalar("Density", &|s, p| {
-            let (mass, volume) = simulation.mass_and_volume(s, p);
-            mass / volume
+            simulation.particle_mass(s, p) / simulation.particle_volume(s, p)
         }),
         Field::Displacement => vector("Displacement", &|s, p| {
             simulation.displacement(s, p).unwrap_or_default()

@@ -33,7 +33,7 @@ impl HistoryRows {
         let mut names = vec!["kinetic_energy".to_string(), "strain_energy".into()];
         names.extend(letters.iter().map(|l| format!("momentum_{l}")));
         for set in 0..simulation.sets().len() {
-            let (body, _) = simulation.body_and_material(set);
+            let body = simulation.body(set).id;
             names.push(format!("body{body}_mass"));
             names.extend(letters.iter().map(|l| format!("body{body}_{l}")));
             names.extend(letters.iter().map(|l| format!("body{body}_v{l}")));
@@ -67,7 +67,7 @@ impl HistoryRows {
             names.extend(DRIFT.map(str::to_owned));
         }
         for (set, _) in simulation.yielding() {
-            let (body, _) = simulation.body_and_material(set);
+            let body = simulation.body(set).id;
             names.extend(YIELDING.map(|channel| format!("body{body}_energy_{channel}")));
         }
         names
@@ -80,7 +80,8 @@ impl HistoryRows {
         let mut row = vec![simulation.kinetic_energy(), simulation.strain_energy()];
         row.extend_from_slice(&simulation.momentum()[..axes]);
         for set in 0..simulation.sets().len() {
-            let (mass, x, v) = simulation.center(set);
+            let center = simulation.center(set);
+            let (mass, x, v) = (center.mass, center.position, center.velocity);
             row.push(mass);
             row.extend_from_slice(&x[..axes]);
             row.extend_from_slice(&v[..axes]);

@@ -184,11 +184,11 @@ impl Run {
             kind: caution.word().to_owned(),
             message: caution.to_string(),
         };
-        let (dt_min, dt_max, dt_critical) = simulation.time_steps();
+        let clock = simulation.clock();
         let stepped = simulation.steps() > 0;
         let axes = simulation.plan().axes;
         let of_body = |(set, energy): (usize, BodyEnergy)| YieldingBody {
-            body: simulation.body_and_material(set).0,
+            body: simulation.body(set).id,
             stored: Some(energy.stored),
             plastic: Some(energy.plastic),
             algorithmic: Some(energy.algorithmic),
@@ -201,9 +201,9 @@ impl Run {
             nodes_active: simulation.nodes_with_mass() as u64,
             steps: simulation.steps(),
             time: Some(simulation.time()),
-            dt_min: stepped.then_some(dt_min),
-            dt_max: stepped.then_some(dt_max),
-            dt_critical: stepped.then_some(dt_critical),
+            dt_min: stepped.then_some(clock.dt_min),
+            dt_max: stepped.then_some(clock.dt_max),
+            dt_critical: stepped.then_some(clock.dt_critical),
             threads: simulation.threads(),
             lanes: simulation.lanes().name().into(),
             mass: Some(simulation.mass()),

@@ -141,9 +141,9 @@ fn the_sliding_block_of_the_fixtures() {
     let begin = Simulation::new(&scene, &Options::default())
         .expect("a start")
         .center(0)
-        .1;
+        .position;
     let simulation = run(&scene, |_| {});
-    let end = simulation.center(0).1;
+    let end = simulation.center(0).position;
     let slope = Slope::new(StressScheme::Usl, scene.surfaces[0].friction);
     let moved = std::array::from_fn(|axis| end[axis] - begin[axis]);
     let way = dot(&moved, &slope.down());

@@ -21,7 +21,7 @@ use proctor_kernel::model::{BoxLoad, DomainUpdate};
 use proctor_kernel::particles::ParticleSet;
 use proctor_kernel::plan::Plan;
 use proctor_kernel::simulation::conditions;
-use proctor_kernel::simulation::{BaseVelocity, BodyRun, Model, SetupError, Simulation, Start};
+use proctor_kernel::simulation::{BaseVelocity, BodyRun, Cycle, Model, SetupError, Start};
 use proctor_kernel::stage::Mapping;
 use proctor_kernel::stage::g2p::ParticleMaxima;
 use std::sync::Arc;
@@ -34,7 +34,7 @@ const PARTICLES_PER_THREAD: usize = 8192;
 ///
 /// # Errors
 /// Input that shows its fault only here: see [`SetupError`].
-pub(crate) fn set_up(scene: &Scene, options: &Options) -> Result<Simulation, SetupError> {
+pub(crate) fn set_up(scene: &Scene, options: &Options) -> Result<Cycle, SetupError> {
     let demands = PlanOptions {
         displacement: options.displacement,
         measure: options.measure,
@@ -112,7 +112,7 @@ pub(crate) fn set_up(scene: &Scene, options: &Options) -> Result<Simulation, Set
         least_share: options.least_share,
         is_undeformed: options.initial.is_none(),
     };
-    Simulation::new(model, start)
+    Cycle::new(model, start)
 }
 
 /// The threads that were asked for, else as many of the machine as there is work for.

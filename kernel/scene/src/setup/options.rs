@@ -3,7 +3,7 @@
 use proctor_geometry::memory::Memory;
 use proctor_geometry::team::Team;
 use proctor_kernel::lanes::LaneChoice;
-use proctor_kernel::laws::UNDEFORMED;
+use proctor_kernel::laws::{Component, UNDEFORMED};
 use proctor_kernel::model::Vector;
 use proctor_kernel::simulation::{BodyForce, Condition, Interaction};
 use std::fmt;
@@ -21,11 +21,21 @@ pub struct InitialState {
     /// it their first mapping loses what the velocity varies by within a cell, a body's spin for one. FLIP has no
     /// use for it.
     pub velocity_gradient: [[f64; 3]; 3],
-    /// Cauchy stress \[Pa\]: xx, yy, zz, yz, xz, xy. The neo-Hookean law computes it from F after the first
+    /// Cauchy stress \[Pa\]: xx, yy, zz, yz, xz, xy, each at the place of its
+    /// [`Component`]. The neo-Hookean law computes it from F after the first
     /// step.
     pub stress: [f64; 6],
     /// Deformation gradient; the volume becomes V_0 det F.
     pub deformation: [[f64; 3]; 3],
+}
+
+impl InitialState {
+    /// With this component of the stress \[Pa\].
+    #[must_use]
+    pub fn with_stress(mut self, component: Component, value: f64) -> Self {
+        self.stress[component.place()] = value;
+        self
+    }
 }
 
 impl Default for InitialState {
@@ -40,12 +50,22 @@ impl Default for InitialState {
     }
 }
 
-/// How a scene is run, and what a library user adds to it.
+/// How a scene is run, and what a program adds to it.
+///
+/// ```
+/// use proctor_scene::prelude::*;
+///
+/// let options = Options::default().with_threads(2).with_initial(|x| InitialState {
+///     velocity: [0.1 * x[0], 0.0, 0.0],
+///     ..InitialState::default()
+/// });
+/// assert_eq!(options.threads, Some(2));
+/// ```
 #[derive(Clone, Default)]
 pub struct Options {
     /// Number of threads; else what the scene says, else one for every 8192 particles, at most all of the machine.
     pub threads: Option<usize>,
-    /// Threads that are there already, those of another simulation ([`team`](proctor_kernel::simulation::Simulation::team)); `threads` is of no account then.
+    /// Threads that are there already, those of another simulation ([`team`](proctor_kernel::simulation::Cycle::team)); `threads` is of no account then.
     pub team: Option<Arc<Team>>,
     /// Fewest particles that are worth a second thread in a step, where there are several; else 2048. No bit depends on it.
     pub least_share: Option<usize>,
@@ -65,6 +85,56 @@ pub struct Options {
     pub interactions: Vec<Box<dyn Interaction>>,
     /// Memory that the scene may need; else all that the machine has free.
     pub memory: Option<Memory>,
+}
+
+impl Options {
+    /// With this number of threads.
+    #[must_use]
+    pub fn with_threads(mut self, threads: usize) -> Self {
+        self.threads = Some(threads);
+        self
+    }
+
+    /// With these lanes.
+    #[must_use]
+    pub fn with_lanes(mut self, lanes: LaneChoice) -> Self {
+        self.lanes = lanes;
+        self
+    }
+
+    /// With this initial state of the particles, by their position \[m\].
+    #[must_use]
+    pub fn with_initial(
+        mut self,
+        initial: impl Fn(&Vector) -> InitialState + Send + Sync + 'static,
+    ) -> Self {
+        self.initial = Some(Arc::new(initial));
+        self
+    }
+
+    /// With this body force per mass \[m/s²\]: see [`BodyForce`].
+    #[must_use]
+    pub fn with_body_force(
+        mut self,
+        force: impl Fn(&Vector, &Vector, f64) -> Vector + Send + Sync + 'static,
+    ) -> Self {
+        self.body_force = Some(Arc::new(force));
+        self
+    }
+
+    /// With this condition at the nodes, after those of the scene and those that were given before.
+    #[must_use]
+    pub fn with_condition(mut self, condition: impl Condition + 'static) -> Self {
+        self.conditions.push(Arc::new(condition));
+        self
+    }
+
+    /// With this interaction of velocity fields, after those of the scene and those that were given before.
+    #[must_use]
+    pub fn with_interaction(mut self, interaction: impl Interaction + 'static) -> Self {
+        self.interactions.push(Box::new(interaction));
+        self
+    }
 }
 
 impl fmt::Debug for Options {

@@ -15,6 +15,7 @@ mod mortar;
 mod results;
 
 pub use body::Body;
+pub use build::BodyEntry;
 pub use error::{Location, Problem, SceneError};
 pub use initial_stress::InitialStress;
 pub use material::Material;

@@ -3,7 +3,7 @@
 use super::{ConditionResult, ConditionType};
 use crate::grid::GridShape;
 use crate::model::{CycleSettings, PlaneCondition, Vector};
-use crate::simulation::Simulation;
+use crate::simulation::Cycle;
 use crate::simulation::context::{Condition, NodalConditions};
 use crate::simulation::step_view::StepView;
 use crate::simulation::values::{Event, EventKind, StepInfo};
@@ -66,7 +66,7 @@ impl Condition for MovingBase {
     }
 }
 
-impl Simulation {
+impl Cycle {
     /// Velocity of the mesh in the middle of the step \[m/s\].
     pub(in crate::simulation) fn mesh_velocity(&self, info: &StepInfo) -> Vector {
         let middle = self.state.clock.time + 0.5 * info.dt;

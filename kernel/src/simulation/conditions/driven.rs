@@ -14,7 +14,7 @@ use crate::simulation::mapping::node_weights;
 use crate::simulation::measure::kinetic_energy;
 use crate::simulation::step_view::StepView;
 use crate::simulation::values::{BodyRun, StepError, StepInfo};
-use crate::simulation::{Simulation, history_value};
+use crate::simulation::{Cycle, history_value};
 use crate::stage::g2p::FaultKind;
 use crate::stage::solve::DrivenNode;
 use std::sync::Arc;
@@ -90,7 +90,7 @@ impl Condition for DrivenBodies {
     }
 }
 
-impl Simulation {
+impl Cycle {
     /// Bodies with a prescribed velocity move by it. Who moves them does the work that speeds them up, and bears their
     /// weight.
     pub(in crate::simulation) fn move_driven_bodies(

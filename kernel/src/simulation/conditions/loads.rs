@@ -4,7 +4,7 @@ use super::light::Masses;
 use super::{ConditionResult, ConditionType};
 use crate::grid::GridShape;
 use crate::model::{CycleSettings, History, Traction, Vector};
-use crate::simulation::Simulation;
+use crate::simulation::Cycle;
 use crate::simulation::context::{Condition, FieldNodes, NodalConditions};
 use crate::simulation::fields::SlabField;
 use crate::simulation::history::value;
@@ -172,7 +172,7 @@ impl NodalLoads {
     }
 }
 
-impl Simulation {
+impl Cycle {
     /// The tractions that bodies have left behind, by their places in the scene, with the share of each that acts on nothing.
     pub(in crate::simulation) fn tractions_left(&self) -> Vec<(usize, f64)> {
         let mut all = vec![];

@@ -13,7 +13,7 @@ mod light;
 
 pub(super) use loads::{areas as nodes_of_traction, load_on};
 
-use super::{Simulation, history_value};
+use super::{Cycle, history_value};
 use crate::grid::GridShape;
 use crate::model::CycleSettings;
 use crate::plan::PlanEntries;
@@ -81,7 +81,7 @@ pub fn of(
     all.chain(own.iter().cloned().map(Ok)).collect()
 }
 
-impl Simulation {
+impl Cycle {
     /// Makes the conditions of the scene anew, after it has changed.
     pub(super) fn set_conditions(&mut self) -> Result<(), SetupError> {
         self.model.conditions = of(

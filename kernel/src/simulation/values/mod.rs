@@ -6,7 +6,10 @@ mod energy;
 mod error;
 mod event;
 mod extremes;
+mod handle;
 mod invariants;
+mod mass_center;
+mod nodal_force;
 mod particle_at;
 mod spin;
 mod state;
@@ -22,11 +25,14 @@ pub use error::{
 };
 pub use event::{Event, EventKind};
 pub use extremes::{Extremes, MOST_STRETCH_RATIO};
+pub use handle::BodyHandle;
 pub(super) use invariants::ROUND_OFF;
 pub use invariants::{
     Invariant, InvariantMonitor, LEAST_VOLUME_RATIO, MOST_GAIN, MOST_INCREMENT, MOST_LOST_MOMENTUM,
     MOST_VOLUME_RATIO, Violation,
 };
+pub use mass_center::MassCenter;
+pub use nodal_force::NodalForce;
 pub use particle_at::ParticleAt;
 pub use spin::{MOST_LOST_SPIN, Spin};
 pub use state::{EnergyLedger, Groups, RestoreError, Saved, SavedArrays, State};

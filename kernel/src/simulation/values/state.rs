@@ -1,7 +1,7 @@
 //! The state: all that a step leaves behind and the next one needs.
 //!
 //! It is one plain value. A checkpoint writes it, a rehearsal and a restart take it up again, a change between stages goes
-//! on with it, all by `Simulation::save` and `Simulation::restore`. What can be had from the scene is not in it: neither
+//! on with it, all by `Cycle::save` and `Cycle::restore`. What can be had from the scene is not in it: neither
 //! the grid, which is scratch between steps, nor laws, loads and surfaces. How it is written is not known here.
 
 use super::clock::Clock;
@@ -68,7 +68,7 @@ pub struct EnergyLedger {
 /// Saved arrays: lists of numbers with their names.
 pub type SavedArrays = Vec<(String, Vec<f64>)>;
 
-/// The whole state of a simulation: see [`Simulation::save`](crate::simulation::Simulation::save).
+/// The whole state of a simulation: see [`Cycle::save`](crate::simulation::Cycle::save).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Saved {
     /// The state.

@@ -6,7 +6,7 @@ use proctor_kernel::particles::ParticleSet;
 use proctor_laws::tensor::Configuration;
 use proctor_laws::{
     Block, ConeMatch, DruckerPrager, GAP, Gradients, Hencky, Increment, Law, LinearElastic,
-    MohrCoulomb, NeoHookean, Particle, Residual, Softening, Strained, Tresca, VonMises,
+    MohrCoulomb, NeoHookean, Particle, Residual, Softening, Strained, Stress, Tresca, VonMises,
 };
 
 const PARTICLES: usize = 43;
@@ -41,7 +41,7 @@ impl Law for Counting {
     fn update<L: Lanes, const D: usize>(
         &self,
         increment: &Increment<L>,
-        stress: &mut [L; 6],
+        stress: &mut Stress<L, D>,
         variables: &mut [L],
     ) -> L {
         variables[0] = variables[0] + L::splat(1.0);

@@ -7,7 +7,7 @@ use proctor_laws::tensor::{
     determinant, inverse, left_stretch_diagonal, relative_deformation, stretch_diagonal,
     volume_ratio,
 };
-use proctor_laws::{Increment, Law, LinearElastic, NeoHookean, ObjectiveRate};
+use proctor_laws::{Increment, Law, LinearElastic, NeoHookean, ObjectiveRate, Stress};
 use std::f64::consts::PI;
 
 mod blocks;
@@ -65,10 +65,10 @@ impl<M: Law, const D: usize> Kernel for Call<M, D> {
             volume: B::Native::splat(1.0),
             density: DENSITY,
         };
-        let mut stress = before.map(B::Native::splat);
-        let speed_squared = self.law.update::<_, D>(&increment, &mut stress, &mut []);
+        let mut stress = Stress::<_, D>::of_packed(before.map(B::Native::splat));
+        let speed_squared = self.law.update(&increment, &mut stress, &mut []);
         let values = match self.what {
-            What::Stress(..) => stress.to_vec(),
+            What::Stress(..) => stress.packed().to_vec(),
             What::SpeedSquared => vec![speed_squared],
             What::Stretch => stretch_diagonal::<_, D>(&m).to_vec(),
             What::LeftStretch => left_stretch_diagonal::<_, D>(&m).to_vec(),

@@ -261,7 +261,7 @@ impl Column {
         (0..set.len())
             .map(|p| {
                 let z = simulation.initial_position(0, p)?[axis];
-                Some([z, set.velocity(p)[axis], simulation.mass_and_volume(0, p).1])
+                Some([z, set.velocity(p)[axis], simulation.particle_volume(0, p)])
             })
             .collect::<Option<_>>()
             .ok_or_else(|| "the simulation kept no initial positions".into())

@@ -51,7 +51,7 @@ impl Comparison {
             .map(|(p, exact)| {
                 Some(Sample {
                     x: x[p],
-                    volume: simulation.mass_and_volume(0, p).1,
+                    volume: simulation.particle_volume(0, p),
                     computed: simulation.displacement(0, p)?,
                     exact,
                     stress: simulation.sets()[0].stress(p),

@@ -306,7 +306,7 @@ pub fn follow_along(
     let end = simulation.scene().time;
     let start: Vec<f64> = blocks
         .iter()
-        .map(|&body| along(&simulation.center(body).1))
+        .map(|&body| along(&simulation.center(body).position))
         .collect();
     let mut tracks = vec![Track::default(); start.len()];
     run_until(simulation, end, observer, |simulation| {
@@ -315,7 +315,8 @@ pub fn follow_along(
             simulation.velocity_time() - release,
         );
         for ((track, &body), start) in tracks.iter_mut().zip(blocks).zip(&start) {
-            let (m, x, v) = simulation.center(body);
+            let center = simulation.center(body);
+            let (m, x, v) = (center.mass, center.position, center.velocity);
             track.way.push([t, along(&x) - start]);
             track.velocity.push([t_v, along(&v)]);
             track.out.push([t_v, out(&v)]);

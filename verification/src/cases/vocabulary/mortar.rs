@@ -86,9 +86,10 @@ pub fn barrier(
 /// Angular momentum in the plane of the particles of a set about their own centre \[kg m²/s\], anticlockwise; in two
 /// dimensions per thickness.
 pub fn angular_momentum(simulation: &Simulation, set: usize) -> f64 {
-    let (_, x_c, v_c) = simulation.center(set);
+    let center = simulation.center(set);
+    let (x_c, v_c) = (center.position, center.velocity);
     let of = |p: usize| {
-        let m = simulation.mass_and_volume(set, p).0;
+        let m = simulation.particle_mass(set, p);
         let (x, v) = (
             simulation.position(set, p),
             simulation.sets()[set].velocity(p),

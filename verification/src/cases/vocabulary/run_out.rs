@@ -60,7 +60,7 @@ pub fn run(
     observer: &mut dyn Observer,
 ) -> Result<RunOut, Failure> {
     let end = simulation.scene().time;
-    let (mass, (_, start, _)) = (simulation.mass(), simulation.center(0));
+    let (mass, start) = (simulation.mass(), simulation.center(0).position);
     let mut ledger = EnergyLedger::default();
     let mut run = RunOut {
         places: vec![place(simulation)],
@@ -92,7 +92,7 @@ pub fn run(
         observer.progress(f64::from(sample) / f64::from(SAMPLES));
     }
     observer.phase(Phase::Comparing);
-    let (_, centre, _) = simulation.center(0);
+    let centre = simulation.center(0).position;
     let off: [f64; 2] =
         std::array::from_fn(|axis| centre[axis] - start[axis] - carried[axis] / mass);
     let fell = (start[1] - centre[1]).abs();

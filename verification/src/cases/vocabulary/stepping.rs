@@ -109,7 +109,7 @@ pub fn l2<const N: usize>(
     let samples: Vec<_> = (0..simulation.sets()[0].len())
         .map(|p| {
             let (computed, exact) = field(p, simulation.initial_position(0, p)?)?;
-            Some((simulation.mass_and_volume(0, p).0, computed, exact))
+            Some((simulation.particle_mass(0, p), computed, exact))
         })
         .collect::<Option<_>>()?;
     relative_l2(samples)

@@ -202,11 +202,11 @@ fn density() -> Result<Finding, Unexpected> {
             (scene.weighting, scene.scheme) = (weighting, scheme);
             let mut simulation = start(&scene, Some(swings.clone()))?;
             let mut balance = Kept::of(&simulation);
-            let from = simulation.center(1).1[0];
+            let from = simulation.center(1).position[0];
             run_to(&mut simulation, LIGHT, |s, _| balance.look(s))?;
             // A quarter of the period: the mean of SPEED sin(k x)/(k c).
             let exact = SPEED / wave * std::f64::consts::FRAC_2_PI;
-            let moved = simulation.center(1).1[0] - from;
+            let moved = simulation.center(1).position[0] - from;
             let own = (moved / exact - 1.0).abs();
             if weighting == Weighting::QuadraticBSpline {
                 smeared = worst(smeared, own);

@@ -57,7 +57,7 @@ pub(super) fn watch_fall(
     let mut simulation = start(scene, None)?;
     let (mass, before) = (simulation.mass(), simulation.momentum());
     let begin = energy(&simulation);
-    let from = simulation.center(0).1[up];
+    let from = simulation.center(0).position[up];
     let mut found = Fall::default();
     let (mut impulse, mut kicks, mut dt_before) = ([0.0; 3], 0.0, 0.0);
     let (mut pull, mut push) = (0.0_f64, 0.0_f64);
@@ -85,7 +85,7 @@ pub(super) fn watch_fall(
         }
         let lost = apart(&s.momentum(), &exact) / momentum_scale(s);
         found.lost = worst(found.lost, lost);
-        let fallen = from - s.center(0).1[up];
+        let fallen = from - s.center(0).position[up];
         let given = begin - mass * scene.gravity[up] * fallen;
         found.grown = worst(found.grown, energy(s) / given.max(begin));
     })?;
@@ -183,7 +183,7 @@ fn onto_own_corner(scheme: StressScheme) -> Result<Fall, Unexpected> {
     let square = Shape::Polygon {
         points: points.to_vec(),
     };
-    let body = scene.add_body(square, material);
+    let mut body = scene.add_body(square, material);
     body.velocity = [0.0, -0.05, 0.0];
     let id = body.id;
     // The material is on the left of a line, so it lies below one that runs to the left.

@@ -45,11 +45,11 @@ fn cells_per_step() -> Result<Finding, Unexpected> {
         let mut scene = flying();
         scene.scheme = scheme;
         let mut simulation = start(&scene, None)?;
-        let from = simulation.center(0).1[0];
+        let from = simulation.center(0).position[0];
         run_to(&mut simulation, 30.0 / SPEED, |s, info| {
             moved = worst(moved, SPEED * info.dt);
             let exact = from + SPEED * s.time();
-            off = worst(off, (s.center(0).1[0] / exact - 1.0).abs());
+            off = worst(off, (s.center(0).position[0] / exact - 1.0).abs());
             let set = &s.sets()[0];
             for p in 0..set.len() {
                 stress = set.stress(p).iter().map(|c| c.abs()).fold(stress, worst);
@@ -118,7 +118,7 @@ fn smallest_volume(simulation: &Simulation, start: &[f64]) -> f64 {
     let all = 0..simulation.sets()[0].len();
     let shares = all.map(|p| {
         let id = simulation.sets()[0].id[p] as usize;
-        simulation.mass_and_volume(0, p).1 / start[id]
+        simulation.particle_volume(0, p) / start[id]
     });
     shares.fold(
         f64::INFINITY,
@@ -131,7 +131,7 @@ fn volumes(simulation: &Simulation) -> Vec<f64> {
     let set = &simulation.sets()[0];
     let mut all = vec![f64::NAN; set.len()];
     for p in 0..set.len() {
-        all[set.id[p] as usize] = simulation.mass_and_volume(0, p).1;
+        all[set.id[p] as usize] = simulation.particle_volume(0, p);
     }
     all
 }
@@ -173,7 +173,7 @@ fn fast_piston() -> Result<Finding, Unexpected> {
             if name == "elastic" {
                 let set = &simulation.sets()[0];
                 for p in 0..set.len() {
-                    let share = simulation.mass_and_volume(0, p).1 / before[set.id[p] as usize];
+                    let share = simulation.particle_volume(0, p) / before[set.id[p] as usize];
                     let exact = libm::log(share);
                     // Particles that have hardly been strained say nothing.
                     if exact < -0.1 {

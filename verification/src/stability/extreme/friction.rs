@@ -77,7 +77,7 @@ fn slide(friction: f64, change: impl Fn(&mut Scene)) -> Result<Slid, Unexpected>
         ..AT_REST
     });
     let mut simulation: Simulation = start(&scene, Some(settled))?;
-    let from = simulation.center(1).1[0];
+    let from = simulation.center(1).position[0];
     let [mut unbalanced, mut push, mut pull] = [0.0_f64; 3];
     run_to(&mut simulation, END, |s, _| {
         let (base, block) = (s.contact_force(0), s.contact_force(1));
@@ -85,7 +85,8 @@ fn slide(friction: f64, change: impl Fn(&mut Scene)) -> Result<Slid, Unexpected>
         push = push.max(block[1]);
         pull = pull.max(-block[1]);
     })?;
-    let (_, x, v) = simulation.center(1);
+    let center = simulation.center(1);
+    let (x, v) = (center.position, center.velocity);
     let shear = 0.5;
     Ok(Slid {
         velocity: v[0] / (ALONG * simulation.velocity_time()),

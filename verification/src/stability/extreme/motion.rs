@@ -123,11 +123,11 @@ fn strain(simulation: &Simulation) -> f64 {
 
 /// Energy of the particles beside that of the motion of their centre \[J\].
 fn internal_energy(simulation: &Simulation) -> f64 {
-    let (_, _, mean) = simulation.center(0);
+    let mean = simulation.center(0).velocity;
     let set = &simulation.sets()[0];
     let kinetic: f64 = (0..set.len())
         .map(|p| {
-            let (mass, _) = simulation.mass_and_volume(0, p);
+            let mass = simulation.particle_mass(0, p);
             let v = set.velocity(p);
             0.5 * mass
                 * (0..3)
@@ -156,7 +156,8 @@ fn speeds() -> Result<Finding, Unexpected> {
             let initial = rough(Dimension::Two, [1.0, 0.1, 0.0], 1e-3 * ratio, 1e-3 * young);
             let mut simulation = start(&what, &scene, &from(initial))?;
             let (momentum, scale) = (simulation.momentum(), momentum_scale(&simulation));
-            let (mass, center, _) = simulation.center(0);
+            let body = simulation.center(0);
+            let (mass, center) = (body.mass, body.position);
             let energy = internal_energy(&simulation);
             // Up to ten cells.
             let mut highest = 0.0_f64;
@@ -167,7 +168,7 @@ fn speeds() -> Result<Finding, Unexpected> {
                 }
             }
             let t = simulation.time();
-            let (_, after, _) = simulation.center(0);
+            let after = simulation.center(0).position;
             let drift =
                 largest((0..2).map(|axis| after[axis] - center[axis] - momentum[axis] / mass * t));
             let lost = largest((0..2).map(|axis| simulation.momentum()[axis] - momentum[axis]));

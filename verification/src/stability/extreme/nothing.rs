@@ -131,9 +131,9 @@ fn empty_mesh() -> Result<Finding, Unexpected> {
             }
             Err(error) => return Err(unexpected(what, error)),
         };
-        let (_, before, _) = simulation.center(0);
+        let before = simulation.center(0).position;
         steps(&what, &mut simulation, 100)?;
-        let (_, after, _) = simulation.center(0);
+        let after = simulation.center(0).position;
         let t = simulation.time();
         finding.gates.extend([
             Gate::at_most(

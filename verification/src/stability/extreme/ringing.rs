@@ -59,7 +59,7 @@ fn creep(weighting: Weighting, scheme: StressScheme) -> Result<f64, Unexpected> 
                 })
             });
             let shape = Shape::Particles(Arc::new(seeds.collect()));
-            let body = scene.add_body(shape, material);
+            let mut body = scene.add_body(shape, material);
             body.velocity = [speed, 0.0, 0.0];
             body.particles_per_cell = [1; 3];
             if driven {
@@ -157,8 +157,9 @@ fn change_of_unseen(weighting: Weighting, scheme: StressScheme) -> Result<f64, U
     let mut scene = open([CELLS, 1]).with_planes(PlaneCondition::Sliding);
     (scene.weighting, scene.scheme) = (weighting, scheme);
     let material = scene.add_material(elastic(1.0, 0.0), 1.0);
-    let body = scene.add_body(Shape::rectangle([0.0, 0.0], [CELLS as f64, 1.0]), material);
-    body.particles_per_cell = [4, 4, 1];
+    scene
+        .add_body(Shape::rectangle([0.0, 0.0], [CELLS as f64, 1.0]), material)
+        .with_particles_per_cell([4, 4]);
     let wave = std::f64::consts::PI / CELLS as f64;
     let alternating: InitialField = Arc::new(move |x| {
         let quarter = (4.0 * x[0]) as i64;
@@ -186,8 +187,9 @@ fn ringing(weighting: Weighting, scheme: StressScheme) -> Result<Kept, Unexpecte
     let mut scene: Scene = open([8, 8]);
     (scene.weighting, scene.scheme) = (weighting, scheme);
     let material = scene.add_material(elastic(1.0, 0.3), 1.0);
-    let body = scene.add_body(Shape::rectangle([2.6, 2.3], [4.6, 4.3]), material);
-    body.particles_per_cell = [4, 4, 1];
+    scene
+        .add_body(Shape::rectangle([2.6, 2.3], [4.6, 4.3]), material)
+        .with_particles_per_cell([4, 4]);
     let rough: InitialField = Arc::new(|x| {
         let quarters = (4.0 * x[0]) as i64 + (4.0 * x[1]) as i64;
         let sign = if quarters % 2 == 0 { 1e-6 } else { -1e-6 };

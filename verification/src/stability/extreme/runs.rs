@@ -244,7 +244,7 @@ pub fn momentum_scale(simulation: &Simulation) -> f64 {
     let sets = simulation.sets().iter().enumerate();
     sets.flat_map(|(set, columns)| {
         (0..columns.len()).map(move |p| {
-            let mass = simulation.mass_and_volume(set, p).0;
+            let mass = simulation.particle_mass(set, p);
             let velocity = columns.velocity(p);
             mass * velocity.iter().map(|c| c.abs()).sum::<f64>()
         })

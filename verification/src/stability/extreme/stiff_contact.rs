@@ -79,7 +79,7 @@ fn mortar(enforcement: Enforcement, ratio: f64, friction: f64) -> Scene {
     let material = scene.add_material(elastic(1.0, 0.3), 1.0);
     for (from, velocity) in [([3.1, 3.1], SPEED), ([7.5, 3.5], -SPEED)] {
         let shape = Shape::rectangle(from, [from[0] + 4.0, from[1] + 3.0]);
-        let body = scene.add_body(shape, material);
+        let mut body = scene.add_body(shape, material);
         body.velocity = [velocity, 0.0, 0.0];
         let id = body.id;
         scene.mortar.boundaries.push(BodyBoundary {
@@ -127,7 +127,7 @@ fn stiff_mortar(scheme: StressScheme, ratio: f64) -> Result<Finding, Unexpected>
             grown = worst(grown, balance.grown);
             unbalanced = worst(unbalanced, off / push);
             left = worst(left, energy(&simulation) / begin);
-            let [v, w] = [0, 1].map(|set| simulation.center(set).2[0]);
+            let [v, w] = [0, 1].map(|set| simulation.center(set).velocity[0]);
             let back = (w - v) / (2.0 * SPEED);
             slowest = if back < slowest || back.is_nan() {
                 back

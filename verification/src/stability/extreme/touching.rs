@@ -134,7 +134,7 @@ fn mass_ratio() -> Result<Finding, Unexpected> {
         unbalanced = worst(unbalanced, seen.unbalanced / seen.push);
         pull = worst(pull, seen.pull / seen.push);
         push = push.min(seen.push);
-        let [v, w] = [0, 1].map(|set| simulation.center(set).2[0]);
+        let [v, w] = [0, 1].map(|set| simulation.center(set).velocity[0]);
         let back = (w - v) / (2.0 * SPEED);
         slowest = if back < slowest || back.is_nan() {
             back
@@ -185,7 +185,10 @@ fn one_node() -> Result<Finding, Unexpected> {
             pull = worst(pull, seen.pull / seen.push);
             push = push.min(seen.push);
             let [a, b] = [0, 1].map(|set| simulation.center(set));
-            mirrored = worst(mirrored, apart(&a.2, &b.2.map(|v| -v)) / SPEED);
+            mirrored = worst(
+                mirrored,
+                apart(&a.velocity, &b.velocity.map(|v| -v)) / SPEED,
+            );
         }
     }
     let mut gates = kept("collision", drift, grown).to_vec();
@@ -226,7 +229,7 @@ fn wedges(scheme: StressScheme, speed: f64, exchanged: bool) -> Scene {
             ]
         };
         let points = vec![place(0.0, middle), place(5.0, low), place(5.0, high)];
-        let body = scene.add_body(Shape::Polygon { points }, material);
+        let mut body = scene.add_body(Shape::Polygon { points }, material);
         body.velocity = [-speed * middle[0], -speed * middle[1], 0.0];
         body.particles_per_cell = [4, 4, 1];
     }
@@ -270,7 +273,7 @@ fn ten_bodies() -> Result<Finding, Unexpected> {
         grown = worst(grown, balance.grown);
         push = push.min(largest);
         for set in 0..COUNT {
-            let x = simulation.center(set).1;
+            let x = simulation.center(set).position;
             let angle = libm::atan2(x[1] - CENTER, x[0] - CENTER) / TAU * COUNT as f64;
             let off = (angle.rem_euclid(COUNT as f64) - (set as f64 + 0.5)).abs();
             middle = middle.min(0.5 - off);
@@ -309,7 +312,9 @@ fn ten_bodies_mirrored() -> Result<Finding, Unexpected> {
         let places = |names: bool| -> Result<Vec<Vector>, Unexpected> {
             let mut simulation = start(&wedges(scheme, GATHER, names), None)?;
             run_to(&mut simulation, WATCHED, |_, _| ())?;
-            Ok((0..COUNT).map(|set| simulation.center(set).1).collect())
+            Ok((0..COUNT)
+                .map(|set| simulation.center(set).position)
+                .collect())
         };
         let (given, other) = (places(false)?, places(true)?);
         for (set, x) in given.iter().enumerate() {

@@ -134,7 +134,7 @@ pub(super) fn momentum_scale(simulation: &Simulation) -> f64 {
     let mut sum = 0.0;
     for (index, set) in simulation.sets().iter().enumerate() {
         for p in 0..set.len() {
-            let m = simulation.mass_and_volume(index, p).0;
+            let m = simulation.particle_mass(index, p);
             sum += set.velocity(p).iter().map(|v| (m * v).abs()).sum::<f64>();
         }
     }

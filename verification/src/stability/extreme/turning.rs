@@ -57,7 +57,7 @@ fn disc(weighting: Weighting, transfer: TransferKind) -> (Scene, InitialField) {
 
 fn area(simulation: &Simulation) -> f64 {
     let all = 0..simulation.particles();
-    all.map(|p| simulation.mass_and_volume(0, p).1).sum()
+    all.map(|p| simulation.particle_volume(0, p)).sum()
 }
 
 /// Angular momentum about the middle, that of affine velocities with it, whose moment of inertia with quadratic B-splines
@@ -65,7 +65,7 @@ fn area(simulation: &Simulation) -> f64 {
 fn angular_momentum(simulation: &Simulation) -> f64 {
     let set = &simulation.sets()[0];
     let of = |p: usize| {
-        let m = simulation.mass_and_volume(0, p).0;
+        let m = simulation.particle_mass(0, p);
         let (x, v) = (simulation.position(0, p), set.velocity(p));
         let affine = set.layout.affine.map_or(0.0, |first| {
             set.columns[first + 2][p] - set.columns[first + 1][p]
