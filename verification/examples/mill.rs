@@ -1,9 +1,9 @@
 //! The first problem of the mill that misses a gate: the mill alone, for seeded faults (`scripts/faults --mill`).
 //!
-//!     cargo run --release --package proctor-verification --example mill -- SEED COUNT SECONDS
+//!     cargo run --release --package proctor-verification --example mill -- SEED COUNT SECONDS [NUMBER ...]
 //!
-//! Judges the problems 0 to COUNT of a seed, on all processors, until the first miss or until the seconds are over. Exit
-//! code 0: none missed; 1: one did, and it is named; 2: wrong arguments.
+//! Judges the problems 0 to COUNT of a seed but for those of these numbers, on all processors, until the first miss or until
+//! the seconds are over. Exit code 0: none missed; 1: one did, and it is named; 2: wrong arguments.
 
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -17,8 +17,8 @@ fn main() -> ExitCode {
     let numbers: Vec<u64> = (std::env::args().skip(1))
         .map_while(|word| word.parse().ok())
         .collect();
-    let [seed, count, seconds] = numbers[..] else {
-        eprintln!("accepted: SEED COUNT SECONDS, whole numbers");
+    let [seed, count, seconds, ref left_out @ ..] = numbers[..] else {
+        eprintln!("accepted: SEED COUNT SECONDS [NUMBER ...], whole numbers");
         return ExitCode::from(2);
     };
     let (begun, next) = (Instant::now(), AtomicU64::new(0));
@@ -31,6 +31,9 @@ fn main() -> ExitCode {
             scope.spawn(move || {
                 while !late() {
                     let number = next.fetch_add(1, Ordering::Relaxed);
+                    if left_out.contains(&number) {
+                        continue;
+                    }
                     let ended = number >= count;
                     if ended || sender.send(mill::answer(seed, number)).is_err() {
                         return;
