@@ -13,6 +13,7 @@ mod heat;
 mod history;
 mod html;
 mod machine;
+mod mill;
 mod packed;
 mod plans;
 mod refined;
@@ -27,6 +28,7 @@ use crate::history::History;
 use crate::record::Record;
 pub(crate) use html::escape;
 use html::{Pictures, Section};
+pub use mill::MillResult;
 pub use since::Since;
 use std::fmt::Write as _;
 
@@ -36,15 +38,16 @@ const SCRIPT: &str = include_str!("script.js");
 /// The page of a record, with what changed since a base.
 #[must_use]
 pub fn page(record: &Record, since: Option<&Since<'_>>) -> String {
-    page_with_history(record, since, None)
+    page_with(record, since, None, None)
 }
 
-/// The same with how the numbers of earlier records went.
+/// The same with how the numbers of earlier records went, and with a result of the mill.
 #[must_use]
-pub fn page_with_history(
+pub fn page_with(
     record: &Record,
     since: Option<&Since<'_>>,
     history: Option<&History>,
+    mill: Option<&MillResult>,
 ) -> String {
     let record = &whole::whole(record);
     let mut pictures = Pictures::default();
@@ -53,6 +56,7 @@ pub fn page_with_history(
         history.map(|history| history::section(history, &mut pictures)),
         cases::section(record, &mut pictures),
         refined::section(record, &mut pictures),
+        mill.map(mill::section),
         stability::section(record),
         speed::section(record, &mut pictures),
         plans::section(record),

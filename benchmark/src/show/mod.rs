@@ -4,6 +4,7 @@ pub mod case;
 pub mod chart;
 pub mod comparison;
 pub mod figures;
+pub mod histogram;
 pub mod history;
 pub mod keys;
 pub mod paint;

@@ -3,7 +3,7 @@
 use crate::exit::{Failure, Outcome};
 use crate::history;
 use crate::record::Record;
-use crate::report::{self, Since};
+use crate::report::{self, MillResult, Since};
 use crate::show::comparison;
 use clap::Args;
 use proctor_files::output::atomic;
@@ -20,7 +20,8 @@ use std::path::PathBuf;
 #[command(
     after_help = "Example: proctor verify --quick --json record.json; proctor report record.json\n\
     What changed: proctor report head.json --base base.json\n\
-    How it went: proctor report head.json --history records"
+    How it went: proctor report head.json --history records\n\
+    Manufactured solutions: proctor report record.json --mill mill.json"
 )]
 pub struct Report {
     /// Record (JSON)
@@ -34,6 +35,9 @@ pub struct Report {
     /// The same from a record that git keeps: every commit that changed it
     #[arg(long, value_name = "PATH", conflicts_with = "history")]
     history_of: Option<PathBuf>,
+    /// Result of the mill, from `verify mill --json FILE`: orders of manufactured solutions as a histogram
+    #[arg(long, value_name = "FILE")]
+    mill: Option<PathBuf>,
     /// The page [default: the name of the record with .html]
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
@@ -59,7 +63,9 @@ impl Report {
             None => Some(history::of_files(&self.history)),
         };
         let history = history.transpose().map_err(Failure::bad_input)?;
-        let html = report::page_with_history(&record, since.as_ref(), history.as_ref());
+        let mill = self.mill.as_deref().map(MillResult::read).transpose();
+        let mill = mill.map_err(Failure::BadInput)?;
+        let html = report::page_with(&record, since.as_ref(), history.as_ref(), mill.as_ref());
         atomic::write(&page, |file| file.write_all(html.as_bytes())).map_err(Failure::bad_input)?;
         if let Some(since) = &since {
             writeln!(out, "{}", comparison::verdict_line(since.comparison()))?;

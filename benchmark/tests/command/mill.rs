@@ -99,7 +99,9 @@ fn what_is_no_problem_is_refused_with_the_key() {
         ("/ladder", json!([12, 24]), "multiples of 8"),
         ("/ladder", json!([16, 8]), "rising"),
         ("/family", json!("triangle"), "box, floating, frame, affine"),
-        ("/material/law", json!("tresca"), "von_mises"),
+        ("/material/law", json!("jelly"), "von_mises"),
+        ("/material/viscosity", json!(-1.0), "not negative [Pa s]"),
+        ("/friction", json!(-0.5), "not negative"),
         ("/material/young", json!(-1.0), "a positive number [Pa]"),
         ("/material/poisson", json!(0.5), "0 to 0.49"),
         ("/method/weighting", json!("hats"), "cpGIMP"),
@@ -124,6 +126,32 @@ fn what_is_no_problem_is_refused_with_the_key() {
             stderr(&output)
         );
     }
+}
+
+/// A page shows the orders of a result, each once, and names what missed; what is no result is refused.
+#[test]
+fn orders_stand_on_a_page() {
+    let desk = Desk::new();
+    let order = |value: f64| json!({ "what": "order of L2(u)", "value": value, "bound": 1.5, "least": true, "holds": value >= 1.5 });
+    let problem = |number: u64, value: f64| json!({ "number": number, "family": "cut", "law": "elastic", "method": "uGIMP USL FLIP", "gates": [order(value)] });
+    let problems = [
+        problem(0, 2.03),
+        problem(1, 0.4),
+        json!({ "number": 2, "refused": [] }),
+    ];
+    let result = json!({ "seed": 3, "misses": 1, "refused": 5, "problems": problems });
+    let result = desk.scene("mill.json", &result);
+    let record = fixture("fixtures/expected/errors.json");
+    let page = desk.name("page.html");
+    let made = proctor(&["report", &record, "--mill", &result, "--out", &page]);
+    assert_eq!(code(&made), 0, "{}", stderr(&made));
+    let html = std::fs::read_to_string(&page).expect("a page");
+    assert!(html.contains("Seed 3: 2 manufactured problems, of which 1 miss a gate; 5 draws"));
+    assert!(html.contains("2 problems, least 0.40, median 2.03; theory expects 2."));
+    assert!(html.contains("order of L2(u) 4.00e-1, bound 1.50e0"));
+    let wrong = proctor(&["report", &record, "--mill", &record, "--out", &page]);
+    assert_eq!(code(&wrong), 2);
+    assert!(stderr(&wrong).contains("proctor verify mill --json FILE"));
 }
 
 #[test]

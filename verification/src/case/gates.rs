@@ -89,6 +89,13 @@ impl Runs<'_> {
         })
     }
 
+    /// Gate on the error of a quantity of the run of the rung with that label.
+    #[must_use]
+    pub fn error_at_most(&self, label: &str, name: &str, bound: f64, reason: &'static str) -> Gate {
+        let title = format!("{label}: {name}");
+        Gate::at_most(title, self.error(label, name), bound, reason)
+    }
+
     /// A gate on the finest rung and the ladder of a variant, whose name it has first.
     #[must_use]
     pub fn gate_of(&self, variant: &str, rule: &GateRule) -> Gate {

@@ -181,7 +181,7 @@ fn judge(runs: &Runs<'_>) -> Verdict {
         if let Some((bound, reason)) = judged {
             verdict.gates.extend(
                 row.iter()
-                    .map(|rung| error_at_most(runs.solved, &rung.label, ENERGY, bound, reason)),
+                    .map(|rung| runs.error_at_most(&rung.label, ENERGY, bound, reason)),
             );
             if variant == "large" && flip {
                 let [gains, .., loses] = [0, 1, 2].map(|i| runs.value(&row[i].label, ENERGY));

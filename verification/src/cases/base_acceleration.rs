@@ -62,7 +62,7 @@ pub static BASE_ACCELERATION: Case = Case::new(
 .scene(scene)
 .options(options)
 .run(compare)
-.judge_by(judge)
+.judge_by(judge::verdict)
 .wrong_references(&[WRONG_STIFFNESS, WRONG_FREQUENCY])
 .studies(&[Plan::new(
     Ladder::made(path),
@@ -119,10 +119,6 @@ fn rungs(size: Size) -> Vec<Rung> {
         .into_iter()
         .map(|variant| Rung::labelled(format!("manual's {variant}"), variant, manual::CELL));
     columns.chain(blocks).collect()
-}
-
-fn judge(runs: &Runs<'_>) -> Verdict {
-    judge::verdict(runs.size, runs.solved)
 }
 
 fn method(rung: &Rung) -> Settings {

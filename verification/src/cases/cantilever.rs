@@ -202,7 +202,7 @@ fn rungs(size: Size) -> Vec<Rung> {
 }
 
 fn judge(runs: &Runs<'_>) -> Verdict {
-    let gate = |label, name, bound, reason| error_at_most(runs.solved, label, name, bound, reason);
+    let gate = |label, name, bound, reason| runs.error_at_most(label, name, bound, reason);
     let figures = "the method's reference figures: 2.0, 0.4 and 0.02 %";
     let half = "the method's reference figures: 0.5 %";
     let large = "the method's reference figures: 2.6 %";
@@ -214,7 +214,7 @@ fn judge(runs: &Runs<'_>) -> Verdict {
     ];
     let mut vertices = |variant: &str, gate: NewGate, bound, reason| {
         let label = format!("{variant} h={JUDGED}");
-        let found = value_of(runs.solved, &label, FROM_PARTICLES);
+        let found = runs.value(&label, FROM_PARTICLES);
         gates.push(gate(
             format!("{label}: {FROM_PARTICLES}"),
             found,
@@ -235,7 +235,7 @@ fn judge(runs: &Runs<'_>) -> Verdict {
             gates.push(gate(label, TIP, bound, figures));
         }
     }
-    let swings = [SMALL, LARGE].map(|v| (v.to_owned(), table(runs.solved, v, &[TIP, TROUGH])));
+    let swings = [SMALL, LARGE].map(|v| (v.to_owned(), runs.table(Some(v), &[TIP, TROUGH])));
     Verdict {
         tables: swings.into(),
         gates,

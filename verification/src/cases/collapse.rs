@@ -199,12 +199,12 @@ fn judge(runs: &Runs<'_>) -> Verdict {
     for rung in runs.rungs {
         let label = &rung.label;
         let column = Column::of(rung);
-        let gates = run_out::gates(runs.solved, label, !column.is_water);
+        let gates = run_out::gates(runs, label, !column.is_water);
         verdict.gates.extend(gates);
-        if run_of(runs.solved, label).is_none() {
+        if runs.run(label).is_none() {
             continue;
         }
-        let value = |name: &str| value_of(runs.solved, label, name);
+        let value = |name: &str| runs.value(label, name);
         let what = if column.is_water {
             format!(
                 "front {:.2} of Ritter's after {FALLS_OF_WATER} sqrt(H/g)",
@@ -219,7 +219,7 @@ fn judge(runs: &Runs<'_>) -> Verdict {
                 value(PUBLISHED_HEIGHT)
             )
         };
-        let line = run_out::said(runs.solved, label, &what);
+        let line = run_out::said(runs, label, &what);
         verdict.for_the_record.push(line);
     }
     verdict

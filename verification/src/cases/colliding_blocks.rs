@@ -43,7 +43,7 @@ pub static COLLIDING_BLOCKS: Case = Case::new("colliding-blocks", "Do bodies tha
     .method(method)
     .scene(scene)
     .run(compare)
-    .judge_by(judge)
+    .judge_by(judge::verdict)
     .wrong_references(&[WRONG_STIFFNESS, WRONG_IMPULSE])
     .studies(&[Plan::new(Ladder::made(path), &[
         Measure::new("velocity", RESTITUTION),
@@ -151,10 +151,6 @@ fn quantities(
 fn rungs(size: Size) -> Vec<Rung> {
     let of = |variant| rungs_of(variant, size);
     VARIANTS.iter().flat_map(of).collect()
-}
-
-fn judge(runs: &Runs<'_>) -> Verdict {
-    judge::verdict(runs.rungs, runs.solved)
 }
 
 fn method(rung: &Rung) -> Settings {

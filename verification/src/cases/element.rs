@@ -392,19 +392,23 @@ fn judge(runs: &Runs<'_>) -> Verdict {
         if path.exact {
             for rung in runs.rungs.iter().filter(|rung| rung.variant == path.name) {
                 let why = "the direction of flow stays: exact for any step";
-                let gate = error_at_most(runs.solved, &rung.label, STRESS, 1e-14, why);
+                let gate = runs.error_at_most(&rung.label, STRESS, 1e-14, why);
                 verdict.gates.push(gate);
             }
             continue;
         }
-        let table = table(runs.solved, path.name, &[STRESS]);
-        let gates = order_within(&table, STRESS, [0.95, 1.05], "an implicit return: order 1");
-        let gates = gates.map(|gate| of_variant(path.name, gate));
+        let table = runs.table(Some(path.name), &[STRESS]);
+        let why = "an implicit return: order 1";
+        let within = [
+            order(STRESS).at_least(0.95, why),
+            reciprocal_order(STRESS).at_least(1.0 / 1.05, why),
+        ];
+        let gates = within.map(|rule| runs.gate_of(path.name, &rule));
         verdict.gates.extend(gates);
         verdict.tables.push((path.name.to_owned(), table));
     }
     for rung in runs.rungs.iter().filter(|rung| rung.variant == RETURNS) {
-        verdict.gates.extend(returns::gates(runs.solved, rung));
+        verdict.gates.extend(returns::gates(runs, rung));
     }
     verdict
 }

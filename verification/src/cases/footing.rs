@@ -288,14 +288,14 @@ fn judge(runs: &Runs<'_>) -> Verdict {
             if variant.locks() {
                 let gate = Gate::at_least(
                     format!("{}: {SHARE}", rung.label),
-                    value_of(runs.solved, &rung.label, SHARE),
+                    runs.value(&rung.label, SHARE),
                     1.2,
                     "locked: ground that did not lock without means over cells would prove nothing of them",
                 );
                 verdict.gates.push(gate);
                 continue;
             }
-            let load = run_of(runs.solved, &rung.label).and_then(|run| run.quantity(LOAD));
+            let load = runs.run(&rung.label).and_then(|run| run.quantity(LOAD));
             let over = load.and_then(|load| Some(load.value / load.exact?));
             let over = over.unwrap_or(f64::NAN);
             // No finer than B/16: there the order says how the rest falls.
@@ -324,11 +324,11 @@ fn judge(runs: &Runs<'_>) -> Verdict {
         if variant.locks() {
             continue;
         }
-        let table = table(runs.solved, variant.name, &[LOAD]);
+        let table = runs.table(Some(variant.name), &[LOAD]);
         if own.count() > 1 {
             let reason = "falls with h: the edge of the footing is a share of a cell";
-            let gate = order_gate(&table, LOAD, 0.7, reason);
-            verdict.gates.push(of_variant(variant.name, gate));
+            let rule = order(LOAD).at_least(0.7, reason);
+            verdict.gates.push(runs.gate_of(variant.name, &rule));
         }
         let title = format!("footing, {}, linear, USL, FLIP", variant.name);
         verdict.tables.push((title, table));
@@ -342,7 +342,7 @@ fn judge(runs: &Runs<'_>) -> Verdict {
             format!(
                 "{}: locked, {:.2} times the exact load without means over cells, and no limit",
                 rung.label,
-                value_of(runs.solved, &rung.label, SHARE)
+                runs.value(&rung.label, SHARE)
             )
         })
         .collect();

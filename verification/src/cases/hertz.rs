@@ -38,6 +38,8 @@ pub(super) const MEASURES: &[Measure] = &[
     Measure::new("peak", PEAK),
 ];
 const L2_LAYER: &str = "L2(p) against the barrier layer";
+const STRESS: &str = "L2(stress) on the axis";
+const DEEP: &str = "5 % of the pressure, and 10 % at the depth b where the disk is no half space: P/(pi R) over P/(pi b)";
 const LAYER: &str = "the layer's own L2 distance from Hertz";
 
 const WRONG_LOAD: Wrong = Wrong::factor("load", 1.03).breaks_only(|gate| gate.contains(FORCE));
@@ -52,6 +54,7 @@ pub static HERTZ: Case = Case::new(
     &[("hertz", &[0.2, 0.1]), ("paper", &[0.2, 0.1])],
 ))
 .method(method)
+.displacements()
 .scene(scene)
 .run(compare)
 .gates_of_variants(&[
@@ -70,10 +73,12 @@ pub static HERTZ: Case = Case::new(
         )
         .short_alone()
         .by_rung(),
+    error(STRESS).at_most(0.15, DEEP).short_alone().by_rung(),
     of_hertz(FORCE, 0.01, "the load must arrive"),
     of_hertz(PEAK, 0.02, "the method's reference figures: 0.2 %"),
     of_hertz(WIDTH, 0.02, "the method's reference figures: 0.7 %"),
     of_hertz(L2_HERTZ, 0.05, "the method's reference figures: 3.3 %"),
+    of_hertz(STRESS, 0.15, DEEP),
     error(L2_LAYER)
         .at_most(0.05, "the method's reference figures: 3.1 %")
         .full_alone()
@@ -82,7 +87,7 @@ pub static HERTZ: Case = Case::new(
 ])
 .tables(&[TableRule::new(
     "{variant}",
-    &[FORCE, PEAK, WIDTH, L2_HERTZ, L2_LAYER],
+    &[FORCE, PEAK, WIDTH, L2_HERTZ, L2_LAYER, STRESS],
 )])
 .judge_by(lines)
 .wrong_references(&[WRONG_LOAD])
@@ -210,6 +215,23 @@ pub(super) fn scene(rung: &Rung, settings: &Settings) -> Scene {
     scene
 }
 
+/// L2 error of the stresses along and across the axis, at the particles beside it down to the half-width, against those of a half
+/// space (`exact::hertz`, Johnson, eq. 4.46).
+fn stress_on_axis(simulation: &Simulation, exact: &Exact) -> Option<f64> {
+    let set = &simulation.sets()[0];
+    let h = simulation.scene().mesh.cell[0];
+    let beside = |p: usize| {
+        let [x, y, _] = simulation.initial_position(0, p)?;
+        let depth = y - GAP;
+        let near = x.abs() < 0.5 * h && (h..exact.half_width()).contains(&depth);
+        near.then(|| {
+            let [xx, yy, ..] = set.stress(p);
+            (1.0, [xx, yy], exact.stress_on_axis(depth))
+        })
+    };
+    relative_l2((0..set.len()).filter_map(beside))
+}
+
 pub(super) fn compare(run: Run<'_>) -> Result<Found, Failure> {
     let (rung, reference) = (run.rung, run.reference);
     let (simulation, observer) = (run.simulation, run.observer);
@@ -223,7 +245,7 @@ pub(super) fn compare(run: Run<'_>) -> Result<Found, Failure> {
     let peak = found.vertices.iter().map(|p| p[1]).fold(0.0, f64::max);
     // Of the Hertz pressure with the same second moment.
     let half_width = 2.0 * (found.moment(2) / found.moment(0)).sqrt();
-    let quantities = vec![
+    let mut quantities = vec![
         Quantity::compared(FORCE, found.force[1] / thickness, exact.load, "N/m"),
         Quantity::compared(PEAK, peak, exact.peak(), "Pa"),
         Quantity::compared(WIDTH, half_width, exact.half_width(), "m"),
@@ -231,6 +253,9 @@ pub(super) fn compare(run: Run<'_>) -> Result<Found, Failure> {
         Quantity::of_zero(L2_LAYER, found.distance(|x| layer.pressure_at(x))),
         Quantity::of_zero(LAYER, layer.distance_from_hertz(&exact)),
     ];
+    // A slab keeps no initial positions.
+    let stress = stress_on_axis(simulation, &exact);
+    quantities.extend(stress.map(|error| Quantity::of_zero(STRESS, error)));
     let points = found.vertices.iter().filter(|p| p[0].abs() < 1.0);
     let curve = Curve::new(
         format!("{}: contact pressure", rung.label),

@@ -13,6 +13,7 @@ mod boussinesq;
 mod cantilever;
 mod collapse;
 mod colliding_blocks;
+mod colliding_disks;
 mod corner_block;
 mod element;
 mod fluid;
@@ -98,6 +99,7 @@ list! {
     inclined_block::[INCLINED_BLOCK],
     inclined_two_blocks::[INCLINED_TWO_BLOCKS],
     colliding_blocks::[COLLIDING_BLOCKS],
+    colliding_disks::[COLLIDING_DISKS],
     block_on_two_blocks::[BLOCK_ON_TWO_BLOCKS],
     tilted_incline::[TILTED_INCLINE],
     sphere_on_terrain::[SPHERE_ON_TERRAIN],

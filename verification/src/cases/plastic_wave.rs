@@ -151,13 +151,7 @@ fn judge(runs: &Runs<'_>) -> Verdict {
     let mut verdict = Verdict::default();
     for law in LAWS {
         let at = |cells: u32, name, bound, reason| {
-            error_at_most(
-                runs.solved,
-                &format!("{law} L/h={cells}"),
-                name,
-                bound,
-                reason,
-            )
+            runs.error_at_most(&format!("{law} L/h={cells}"), name, bound, reason)
         };
         let all = |rule: GateRule| runs.gate_of(law, &rule);
         verdict.gates.extend([

@@ -26,9 +26,10 @@ pub(crate) use super::vocabulary::mortar::{self, *};
 pub(crate) use super::vocabulary::parts::*;
 pub(crate) use super::vocabulary::relaxation::*;
 pub(crate) use super::vocabulary::stepping::*;
-pub(crate) use super::vocabulary::verdicts::*;
 pub(crate) use super::{FIELDS, PARTED, STRESS_MEASURE, known_reference};
-pub(crate) use crate::case::gates::{GateRule, Runs, TableRule, error, order, value, worst};
+pub(crate) use crate::case::gates::{
+    GateRule, Runs, TableRule, error, order, reciprocal_order, value, worst,
+};
 pub(crate) use crate::case::ladder::Ladder;
 pub(crate) use crate::case::wrong::{Reference, Wrong};
 pub(crate) use crate::case::{

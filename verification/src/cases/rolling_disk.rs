@@ -123,7 +123,7 @@ fn plane(h: f64, from: f64, to: f64) -> Chain {
 }
 
 fn judge(runs: &Runs<'_>) -> Verdict {
-    let error = |label: &str, name| error_of(runs.solved, label, name);
+    let error = |label: &str, name| runs.error(label, name);
     let mut gates = vec![];
     let mut at_most = |label: &str, what: &str, value: f64, bound: f64, reason| {
         gates.push(Gate::at_most(
@@ -149,7 +149,7 @@ fn judge(runs: &Runs<'_>) -> Verdict {
         "the method's reference figures: 1.3 %",
     );
     for label in ["slip h=0.1", "stick h=0.1"] {
-        let off = value_of(runs.solved, label, AREA_OFF);
+        let off = runs.value(label, AREA_OFF);
         at_most(
             label,
             AREA_OFF,
@@ -185,7 +185,7 @@ fn judge(runs: &Runs<'_>) -> Verdict {
         tables: ["slip", "stick", "stiff"]
             .into_iter()
             .filter(|v| runs.solved.iter().any(|(rung, _)| rung.variant == *v))
-            .map(|v| (v.to_owned(), table(runs.solved, v, &[WAY, RATIO])))
+            .map(|v| (v.to_owned(), runs.table(Some(v), &[WAY, RATIO])))
             .collect(),
         gates,
         for_the_record: runs.solved

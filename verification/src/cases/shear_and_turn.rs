@@ -277,7 +277,7 @@ fn judge(runs: &Runs<'_>) -> Verdict {
             .collect();
         for rung in &own {
             let mut gate = |name, bound, reason| {
-                let gate = error_at_most(runs.solved, &rung.label, name, bound, reason);
+                let gate = runs.error_at_most(&rung.label, name, bound, reason);
                 verdict.gates.push(gate);
             };
             gate(
@@ -302,7 +302,7 @@ fn judge(runs: &Runs<'_>) -> Verdict {
         }
         if variant.turns {
             let line = own.iter().map(|rung| {
-                let growth = value_of(runs.solved, &rung.label, GROWTH) * f64::from(TURNS);
+                let growth = runs.value(&rung.label, GROWTH) * f64::from(TURNS);
                 format!("{}: deviator times {:.6}", rung.label, libm::exp(growth))
             });
             verdict.for_the_record.extend(line);
@@ -319,13 +319,13 @@ fn judge(runs: &Runs<'_>) -> Verdict {
                 "the strain of a step is not turned by half, and what is there grows by half of its square",
             ),
         };
-        let bounded = error_gate(&own, runs.solved, OFF, bound, reason);
-        verdict.gates.push(of_variant(variant.name, bounded));
-        let table = table(runs.solved, variant.name, &[OFF]);
+        let mut rules = vec![error(OFF).at_most(bound, reason)];
         if own.len() > 1 {
-            let order = order_gate(&table, OFF, 0.95, "order 1: the strain is not turned");
-            verdict.gates.push(of_variant(variant.name, order));
+            rules.push(order(OFF).at_least(0.95, "order 1: the strain is not turned"));
         }
+        let gates = rules.iter().map(|rule| runs.gate_of(variant.name, rule));
+        verdict.gates.extend(gates);
+        let table = runs.table(Some(variant.name), &[OFF]);
         verdict
             .tables
             .push((format!("{} to 3", variant.name), table));

@@ -93,19 +93,17 @@ fn judge(runs: &Runs<'_>) -> Verdict {
                 continue;
             }
             let label = &rung.label;
-            verdict
-                .gates
-                .extend(run_out::gates(runs.solved, label, true));
-            if run_of(runs.solved, label).is_none() {
+            verdict.gates.extend(run_out::gates(runs, label, true));
+            if runs.run(label).is_none() {
                 continue;
             }
-            let value = |name: &str| value_of(runs.solved, label, name);
+            let value = |name: &str| runs.value(label, name);
             let what = format!(
                 "run-out {:.2} heights beyond the foot, highest point {:.2} m",
                 value(BEYOND),
                 value(TOP)
             );
-            let line = run_out::said(runs.solved, label, &what);
+            let line = run_out::said(runs, label, &what);
             verdict.for_the_record.push(line);
             points.push(CurvePoint::new(
                 rung.cell,

@@ -205,7 +205,7 @@ fn judge(runs: &Runs<'_>) -> Verdict {
             .iter()
             .filter(move |rung| rung.variant == variant)
     };
-    let energy = |rung: &Rung| value_of(runs.solved, &rung.label, ENERGY);
+    let energy = |rung: &Rung| runs.value(&rung.label, ENERGY);
     let gates = |variant: &'static str, low: f64, high: f64, reason| {
         own(variant).flat_map(move |rung| {
             let name = |word| format!("{word} {ENERGY}, {}", rung.label);
@@ -221,23 +221,23 @@ fn judge(runs: &Runs<'_>) -> Verdict {
     all.extend(gates(ON_A_NODE, 0.98, 1.6, offset));
     for rung in own(LOCAL) {
         let name = format!(
-            "{}: error of {ENERGY}, which is cell over width",
+            "{LOCAL}: {}: error of {ENERGY}, which is cell over width",
             rung.label
         );
-        let error = error_of(runs.solved, &rung.label, ENERGY);
+        let error = runs.error(&rung.label, ENERGY);
         let reason = "proportional to the cell: not converged, and never will";
-        all.push(of_variant(LOCAL, Gate::at_most(name, error, 0.05, reason)));
+        all.push(Gate::at_most(name, error, 0.05, reason));
     }
     for variant in [CRACK_BAND, ON_A_NODE] {
         for rung in own(variant) {
-            let error = error_of(runs.solved, &rung.label, PEAK);
+            let error = runs.error(&rung.label, PEAK);
             let gate = Gate::at_most(
-                format!("{}: {PEAK}", rung.label),
+                format!("{variant}: {}: {PEAK}", rung.label),
                 error,
                 0.02,
                 "its weak middle decides",
             );
-            all.push(of_variant(variant, gate));
+            all.push(gate);
         }
     }
     verdict.gates = all;
@@ -245,7 +245,7 @@ fn judge(runs: &Runs<'_>) -> Verdict {
         let name = format!("softening-bar, {variant}, uGIMP, USL, FLIP");
         verdict
             .tables
-            .push((name, table(runs.solved, variant, &[ENERGY, PEAK])));
+            .push((name, runs.table(Some(variant), &[ENERGY, PEAK])));
     }
     verdict
 }

@@ -11,6 +11,7 @@ pub mod boussinesq_box;
 pub mod boussinesq_half_space;
 pub mod cantilever;
 pub mod channel;
+pub mod disk_impact;
 pub mod elastic_block;
 pub mod fe;
 pub mod hertz;

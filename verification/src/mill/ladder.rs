@@ -56,8 +56,7 @@ pub struct Faults {
 pub fn run(problem: &Problem, cells: usize, faults: &Faults) -> Result<Errors, Failure> {
     let refused = |e: &dyn fmt::Display| Failure::Run(e.to_string());
     let reference = Arc::new(Reference::new(problem, cells).map_err(|e| refused(&e))?);
-    if reference.least_growth().is_some_and(|growth| growth <= 0.0) {
-        let reason = "a point stops to yield, so that the body force jumps";
+    if let Some(reason) = reference.refused() {
         return Err(Failure::NotSolvable(reason.to_owned()));
     }
     let (dt, steps) = problem.steps(cells);
@@ -87,12 +86,14 @@ pub fn run(problem: &Problem, cells: usize, faults: &Faults) -> Result<Errors, F
 
 /// Errors of particles against exact values, weighted by mass, which is the same for all.
 fn compare(simulation: &Simulation, reference: &Reference, problem: &Problem) -> Option<Errors> {
-    let set = &simulation.sets()[0];
+    let sets = simulation.sets();
+    let all = (0..sets.len()).flat_map(|s| (0..sets[s].len()).map(move |p| (s, p)));
     let square = |values: &[f64]| values.iter().map(|x| x * x).sum::<f64>();
     let (mut off, mut whole) = ([0.0; 3], [0.0; 4]);
-    for p in 0..set.len() {
-        let exact = reference.end(&simulation.initial_position(0, p)?)?;
-        let found = simulation.displacement(0, p)?;
+    for (s, p) in all {
+        let set = &sets[s];
+        let exact = reference.end(&simulation.initial_position(s, p)?)?;
+        let found = simulation.displacement(s, p)?;
         let axes = problem.axes();
         let difference: Vec<f64> = (0..axes)
             .map(|i| found[i] - exact.displacement[i])

@@ -1,10 +1,12 @@
 //! Laws of the kernel as a mill needs them: the law itself, and what its stress is along a motion.
 //!
-//! Neo-Hookean and Hencky's elasticity are functions of F and stand here once more, in other forms than the kernel's. Laws with
-//! a memory are integrated along the exact motion by their own update ([`path`](super::path)).
+//! Neo-Hookean and Hencky's elasticity are functions of F, Newton's fluid of F and its rate; they stand here once more, in other
+//! forms than the kernel's. Laws with a memory are integrated along the exact motion by their own update
+//! ([`path`](super::path)).
 
 use proctor_laws::{
-    AnyLaw, ConeMatch, DruckerPrager, Hencky, Isotropic, LinearElastic, NeoHookean, VonMises,
+    AnyLaw, Bingham, ConeMatch, DruckerPrager, EquationOfState, Hencky, Isotropic, LinearElastic,
+    MohrCoulomb, NeoHookean, Newtonian, Tresca, VonMises,
 };
 
 use super::motion::{Matrix, matrix};
@@ -15,6 +17,10 @@ pub const FRICTION: f64 = 25.0;
 /// Its angle of dilation \[degrees\]: the same, since with less what yields everywhere has waves of no real speed, and no
 /// mesh has a solution (Rudnicki and Rice 1975).
 pub const DILATION: f64 = 25.0;
+/// Exponent of the pressure of Newton's fluid, that of water (Tait).
+const EXPONENT: usize = 7;
+/// Shear modulus of a Bingham fluid that does not flow, over its bulk modulus.
+const SHEAR_OF_FLUID: f64 = 0.4;
 
 /// A kind of law.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,17 +35,31 @@ pub enum Kind {
     VonMises,
     /// Drucker and Prager, matched in plane strain.
     DruckerPrager,
+    /// Tresca without hardening, in the plane.
+    Tresca,
+    /// Mohr and Coulomb without softening, in the plane.
+    MohrCoulomb,
+    /// Newton's fluid.
+    Newtonian,
+    /// Bingham's fluid, where all of it flows.
+    Bingham,
 }
 
 impl Kind {
     /// All of them.
-    pub const ALL: [Self; 5] = [
+    pub const ALL: [Self; 9] = [
         Self::NeoHookean,
         Self::Hencky,
         Self::Elastic,
+        Self::Newtonian,
         Self::VonMises,
         Self::DruckerPrager,
+        Self::Bingham,
+        Self::Tresca,
+        Self::MohrCoulomb,
     ];
+    /// Those that are drawn in space: a face of a pyramid of yield is left there where a stress across it grows.
+    pub const IN_SPACE: usize = 7;
 
     /// The word of scene files.
     #[must_use]
@@ -50,19 +70,29 @@ impl Kind {
             Self::Elastic => "elastic",
             Self::VonMises => "von_mises",
             Self::DruckerPrager => "drucker_prager",
+            Self::Tresca => "tresca",
+            Self::MohrCoulomb => "mohr_coulomb",
+            Self::Newtonian => "newtonian",
+            Self::Bingham => "bingham",
         }
     }
 
     /// True where its stress depends on the way to F.
     #[must_use]
     pub fn remembers(self) -> bool {
-        !matches!(self, Self::NeoHookean | Self::Hencky)
+        !matches!(self, Self::NeoHookean | Self::Hencky | Self::Newtonian)
     }
 
     /// True where it has a yield surface.
     #[must_use]
     pub fn yields(self) -> bool {
-        matches!(self, Self::VonMises | Self::DruckerPrager)
+        self.remembers() && self != Self::Elastic
+    }
+
+    /// True where its yield surface has edges, which a stress must not reach.
+    #[must_use]
+    pub fn has_edges(self) -> bool {
+        matches!(self, Self::Tresca | Self::MohrCoulomb)
     }
 }
 
@@ -71,14 +101,17 @@ impl Kind {
 pub struct Material {
     /// Kind of law.
     pub kind: Kind,
-    /// Young's modulus \[Pa\].
+    /// Young's modulus, bulk modulus of a fluid \[Pa\].
     pub young: f64,
     /// Poisson's ratio.
     pub poisson: f64,
-    /// Yield stress of von Mises, cohesion of Drucker and Prager \[Pa\].
+    /// Yield stress of von Mises, cohesion of Drucker and Prager, Tresca, and Mohr and Coulomb, shear stress at which a Bingham
+    /// fluid flows \[Pa\].
     pub strength: f64,
     /// Growth of the yield stress with the plastic strain \[Pa\].
     pub hardening: f64,
+    /// Viscosity of a fluid \[Pa s\].
+    pub viscosity: f64,
     /// Initial density \[kg/m³\].
     pub density: f64,
     /// Stress of the start xx, yy, zz, yz, xz, xy \[Pa\].
@@ -105,6 +138,34 @@ impl Material {
         DruckerPrager::new(self.young, self.poisson, angles, ConeMatch::PlaneStrain)
     }
 
+    /// Tresca of these constants.
+    #[must_use]
+    pub fn tresca(&self) -> Tresca {
+        Tresca::new(self.young, self.poisson, self.strength)
+    }
+
+    /// Mohr and Coulomb of these constants.
+    #[must_use]
+    pub fn mohr_coulomb(&self) -> MohrCoulomb {
+        let angles = [FRICTION, self.strength, DILATION];
+        MohrCoulomb::new(self.young, self.poisson, angles)
+    }
+
+    /// Bingham's fluid of these constants.
+    #[must_use]
+    pub fn bingham(&self) -> Bingham {
+        let shear = SHEAR_OF_FLUID * self.young;
+        Bingham::new(self.young, self.viscosity, self.strength, shear)
+    }
+
+    /// Half the difference of the principal stresses in the plane \[Pa\] on the pyramid of Mohr and Coulomb, c cos phi - p sin
+    /// phi at a mean p of both \[Pa\].
+    #[must_use]
+    pub fn pyramid_radius(&self, mean: f64) -> f64 {
+        let (sin, cos) = libm::sincos(FRICTION.to_radians());
+        cos * self.strength - sin * mean
+    }
+
     /// sqrt(J_2) \[Pa\] on the cone of Drucker and Prager at a mean stress \[Pa\], matched in plane strain: xi c - eta p with
     /// eta = sin phi / A, xi = cos phi / A, A = sqrt(1 - e²/3) + e sin phi / 3 and e = 3 sin psi / sqrt(9 + 3 sin² psi).
     #[must_use]
@@ -126,6 +187,16 @@ impl Material {
             Kind::Elastic => LinearElastic::new(young, poisson).into(),
             Kind::VonMises => self.von_mises().into(),
             Kind::DruckerPrager => self.drucker_prager().into(),
+            Kind::Tresca => self.tresca().into(),
+            Kind::MohrCoulomb => self.mohr_coulomb().into(),
+            Kind::Newtonian => (Newtonian::new(young, self.viscosity))
+                .with_state(EquationOfState {
+                    bulk: young,
+                    exponent: EXPONENT as f64,
+                    carries_tension: true,
+                })
+                .into(),
+            Kind::Bingham => self.bingham().into(),
         }
     }
 
@@ -135,9 +206,17 @@ impl Material {
         (self.young / self.density).sqrt()
     }
 
-    /// Kirchhoff stress tau = J sigma \[Pa\] of a law without memory: mu (b - 1) + lambda ln J 1 of the neo-Hookean law and
-    /// mu ln b + lambda ln J 1 of Hencky's, with b = F F^T. In the plane (`D` = 2) b_zz is 1.
-    pub fn kirchhoff<T: Scalar, const D: usize>(&self, f: &Matrix<T>) -> Matrix<T> {
+    /// Kirchhoff stress tau = J sigma \[Pa\] of a law without memory, of F and its rate \[1/s\]: mu (b - 1) + lambda ln J 1 of
+    /// the neo-Hookean law, mu ln b + lambda ln J 1 of Hencky's, with b = F F^T, and K/n (J - J^(1-n)) 1 + 2 J mu dev D of
+    /// Newton's fluid. In the plane (`D` = 2) b_zz is 1.
+    pub fn kirchhoff<T: Scalar, const D: usize>(
+        &self,
+        f: &Matrix<T>,
+        rate: &Matrix<T>,
+    ) -> Matrix<T> {
+        if self.kind == Kind::Newtonian {
+            return self.of_fluid::<T, D>(f, rate);
+        }
         let elasticity = self.elasticity();
         let (mu, lambda) = (T::of(elasticity.shear), T::of(elasticity.lambda));
         let one = |i: usize, j: usize| T::of(f64::from(u8::from(i == j)));
@@ -155,6 +234,21 @@ impl Material {
             } else {
                 volumetric
             }
+        })
+    }
+
+    /// That of Newton's fluid.
+    fn of_fluid<T: Scalar, const D: usize>(&self, f: &Matrix<T>, rate: &Matrix<T>) -> Matrix<T> {
+        let jacobian = determinant_of::<T, D>(f);
+        let gradient = product_of::<T, D>(rate, &inverse_of::<T, D>(f));
+        let trace = (1..D).fold(gradient[0][0], |sum, i| sum + gradient[i][i]);
+        let viscous = jacobian * T::of(self.viscosity);
+        let bulk = T::of(self.young / EXPONENT as f64);
+        let volumetric = bulk * (jacobian - T::of(1.0) / jacobian.power(EXPONENT - 1))
+            - viscous * trace * T::of(2.0 / 3.0);
+        matrix(|i, j| {
+            let shear = viscous * (gradient[i][j] + gradient[j][i]);
+            shear + volumetric * T::of(f64::from(u8::from(i == j)))
         })
     }
 }

@@ -232,10 +232,24 @@ impl Moment {
         })
     }
 
-    /// Velocity gradient at the start, where F = 1 \[1/s\].
+    /// Rate of F \[1/s\]: at the start, where F = 1, the velocity gradient.
     #[must_use]
     pub fn rate(&self, place: &Place) -> Matrix {
-        matrix(|i, j| self.frame[1][i][j] + self.pulse[1] * place.gradient[i][j])
+        self.rate_jet::<3>(place).map(|row| row.map(|f| f.value))
+    }
+
+    /// The same with its derivatives by X, F' = M' + (g' M + g M') grad w.
+    #[must_use]
+    pub fn rate_jet<const D: usize>(&self, place: &Place) -> Matrix<Jet<D>> {
+        let ([m, m1, _], [g, g1, _]) = (&self.frame, self.pulse);
+        let carries = matrix(|i, j| g1 * m[i][j] + g * m1[i][j]);
+        let carried = product(&carries, &place.gradient);
+        matrix(|i, j| Jet {
+            value: m1[i][j] + carried[i][j],
+            partials: std::array::from_fn(|k| {
+                (0..D).map(|l| carries[i][l] * place.second[l][j][k]).sum()
+            }),
+        })
     }
 }
 

@@ -42,6 +42,9 @@ pub struct Ended {
     pub variables: Vec<f64>,
     /// Smallest growth of the first variable in a step: positive where a body that yields never stops to.
     pub least_growth: f64,
+    /// Smallest share of the radius of the stress in the plane by which the stress across it lies between the principal stresses
+    /// of the plane: positive where a pyramid of yield is never left by an edge.
+    pub least_margin: f64,
 }
 
 /// A step of the law from one deformation to another.
@@ -90,13 +93,14 @@ pub fn follow<M: Law, const D: usize>(
     let share = 1.0 / f64::from(2_u32.pow(start.order) - 1);
     let better = |fine: Jet<D>, coarse: Jet<D>| fine + (fine - coarse) * Jet::of(share);
     let mut deformation = moments[0].deformation_jet::<D>(place);
-    let mut least_growth = f64::INFINITY;
+    let (mut least_growth, mut least_margin) = (f64::INFINITY, f64::INFINITY);
     for (number, moment) in moments.iter().enumerate() {
         let now = moment.deformation_jet::<D>(place);
         if number > 0 {
             let first = variable(&fine);
             strain(start, &mut fine, [&deformation, &now], 0.5 * dt);
             least_growth = least_growth.min(variable(&fine) - first);
+            least_margin = least_margin.min(margin(&fine));
         }
         if number % 2 == 0 {
             if let Some(before) = &half {
@@ -117,7 +121,17 @@ pub fn follow<M: Law, const D: usize>(
         stress: PLACES.map(|(i, j)| full[i][j].value),
         variables: both.map(|(f, w)| better(*f, *w).value).collect(),
         least_growth,
+        least_margin,
     }
+}
+
+/// The share of the radius of the stress in the plane that is left between the stress across it and the nearer principal
+/// stress; not a number where there is no stress.
+fn margin<const D: usize>(state: &State<D>) -> f64 {
+    let full = full::<D>(&state.stress).map(|row| row.map(|s| s.value));
+    let mean = 0.5 * (full[0][0] + full[1][1]);
+    let radius = (0.5 * (full[0][0] - full[1][1])).hypot(full[0][1]);
+    1.0 - (full[2][2] - mean).abs() / radius
 }
 
 /// The first internal variable; 0 where a law has none.

@@ -1,8 +1,8 @@
 //! A manufactured problem: a motion, a law, a method; its scene and the references that drive and judge it.
 
 use proctor_scene::{
-    Body, Dimension, InitialStress, Mesh, OnImbalance, PlaneCondition, Results, Scene, Shape,
-    TimeStep,
+    Body, Contact, ContactNormal, Dimension, InitialStress, Mesh, OnImbalance, PlaneCondition,
+    Results, Scene, Shape, TimeStep,
 };
 
 use super::material::Material;
@@ -20,11 +20,19 @@ pub enum Family {
     Frame,
     /// The same without a field: the stress is uniform.
     Affine,
+    /// A frame under pressure, cut on a plane of the mesh into two bodies in contact, which must move as one.
+    Cut,
 }
 
 impl Family {
     /// All of them.
-    pub const ALL: [Self; 4] = [Self::Box, Self::Floating, Self::Frame, Self::Affine];
+    pub const ALL: [Self; 5] = [
+        Self::Box,
+        Self::Floating,
+        Self::Frame,
+        Self::Affine,
+        Self::Cut,
+    ];
 
     /// Name in tables and files.
     #[must_use]
@@ -34,13 +42,14 @@ impl Family {
             Self::Floating => "floating",
             Self::Frame => "frame",
             Self::Affine => "affine",
+            Self::Cut => "cut",
         }
     }
 
     /// True where nodes around the body are prescribed.
     #[must_use]
     pub fn has_frame(self) -> bool {
-        matches!(self, Self::Frame | Self::Affine)
+        matches!(self, Self::Frame | Self::Affine | Self::Cut)
     }
 
     /// Half the edge of the body \[m\].
@@ -68,6 +77,8 @@ pub struct Problem {
     pub motion: Motion,
     /// Law.
     pub material: Material,
+    /// Coefficient of friction between the two bodies of a cut one.
+    pub friction: f64,
     /// End \[s\].
     pub end: f64,
     /// Weighting function, scheme and transfer.
@@ -197,22 +208,43 @@ impl Problem {
         };
         let material = scene.add_material(self.material.law(), self.material.density);
         let (half, center, axes) = (self.family.half(), self.motion.center, self.axes());
-        let corner = |sign: f64| {
-            std::array::from_fn(|axis| center[axis] + if axis < axes { sign * half } else { 0.0 })
+        // The cut lies across the first axis.
+        let corner = |along: f64, sign: f64| -> Vector {
+            let from_center = [along, sign * half, sign * half];
+            std::array::from_fn(|axis| {
+                center[axis] + if axis < axes { from_center[axis] } else { 0.0 }
+            })
         };
-        scene.bodies.push(Body {
-            name: "body".to_owned(),
-            id: 1,
-            material,
-            shape: Shape::Cuboid {
-                p1: corner(-1.0),
-                p2: corner(1.0),
-            },
-            particles_per_cell: [1; 3],
-            velocity: [0.0; 3],
-            motion: None,
-            initial_stress: InitialStress::None,
-        });
+        let cuts: &[f64] = if self.family == Family::Cut {
+            &[-half, 0.0, half]
+        } else {
+            &[-half, half]
+        };
+        for (number, ends) in cuts.windows(2).enumerate() {
+            scene.bodies.push(Body {
+                name: format!("body {}", number + 1),
+                id: number as i64 + 1,
+                material,
+                shape: Shape::Cuboid {
+                    p1: corner(ends[0], -1.0),
+                    p2: corner(ends[1], 1.0),
+                },
+                particles_per_cell: [1; 3],
+                velocity: [0.0; 3],
+                motion: None,
+                initial_stress: InitialStress::None,
+            });
+        }
+        if self.family == Family::Cut {
+            scene.contacts.push(Contact {
+                name: "cut".to_owned(),
+                id: 1,
+                friction: self.friction,
+                master: 1,
+                slave: 2,
+                normal: ContactNormal::Collinear,
+            });
+        }
         Settings::new(self.method).apply(&mut scene);
         scene
     }

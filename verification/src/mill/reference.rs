@@ -6,8 +6,8 @@ use std::sync::Arc;
 use proctor_laws::Law;
 use proctor_scene::simulation::{InitialState, Options, SetupError, Simulation};
 
-use super::material::{Kind, determinant_of, divergence};
-use super::motion::{Moment, Place, Vector, apply};
+use super::material::{Kind, divergence};
+use super::motion::{Moment, Place, Vector, apply, determinant};
 use super::path::{Ended, Start, follow};
 use super::problem::{Family, Problem};
 use crate::exact::jet::Jet;
@@ -54,9 +54,10 @@ impl Reference {
             ..Options::default()
         };
         let simulation = Simulation::new(&problem.scene(cells), &options)?;
-        let count = simulation.particles();
-        let starts: Vec<Vector> = (0..count)
-            .filter_map(|p| simulation.initial_position(0, p))
+        let sets = simulation.sets().iter().enumerate();
+        let starts: Vec<Vector> = sets
+            .flat_map(|(s, set)| (0..set.len()).map(move |p| (s, p)))
+            .filter_map(|(s, p)| simulation.initial_position(s, p))
             .collect();
         let (dt, steps) = problem.steps(cells);
         let places = starts.iter().map(|x| problem.motion.of(x)).collect();
@@ -90,12 +91,20 @@ impl Reference {
         }
     }
 
-    /// Smallest plastic strain increment of a particle in half a step, for a law that yields.
+    /// The reason for which a law that yields has no smooth body force here.
     #[must_use]
-    pub fn least_growth(&self) -> Option<f64> {
+    pub fn refused(&self) -> Option<&'static str> {
         let (_, ended) = self.followed.as_ref()?;
-        let growth = ended.iter().map(|ended| ended.least_growth);
-        (self.problem.material.kind.yields()).then(|| growth.fold(f64::INFINITY, f64::min))
+        let kind = self.problem.material.kind;
+        let stops = ended.iter().any(|ended| ended.least_growth <= 0.0);
+        let leaves = ended.iter().any(|ended| ended.least_margin <= 0.0);
+        if kind.yields() && stops {
+            Some("a point stops to yield, so that the body force jumps")
+        } else if kind.has_edges() && leaves {
+            Some("a stress reaches an edge of the yield surface, so that the body force jumps")
+        } else {
+            None
+        }
     }
 
     /// Adds start, body force and the displacements that a comparison needs.
@@ -114,9 +123,13 @@ impl Reference {
         let place = self.problem.motion.of(x);
         let moment = &self.moments[0];
         let axes = self.problem.axes();
-        let [_, velocity, _] = moment.motion(&place);
+        let [_, mut velocity, _] = moment.motion(&place);
         let mut rate = moment.rate(&place);
-        let mut velocity = velocity;
+        let stress = if self.followed.is_some() {
+            self.problem.material.stress
+        } else {
+            self.stress(&place, moment)
+        };
         for i in axes..3 {
             velocity[i] = 0.0;
             rate[i] = [0.0; 3];
@@ -124,7 +137,7 @@ impl Reference {
         InitialState {
             velocity,
             velocity_gradient: rate,
-            stress: self.problem.material.stress,
+            stress,
             ..InitialState::default()
         }
     }
@@ -162,8 +175,18 @@ impl Reference {
     /// Div P of a law without memory \[N/m³\].
     fn force_of<const D: usize>(&self, place: &Place, moment: &Moment) -> Vector {
         let f = moment.deformation_jet::<D>(place);
-        let kirchhoff = self.problem.material.kirchhoff::<Jet<D>, D>(&f);
+        let rate = moment.rate_jet::<D>(place);
+        let kirchhoff = self.problem.material.kirchhoff::<Jet<D>, D>(&f, &rate);
         divergence::<D>(&kirchhoff, &f)
+    }
+
+    /// Cauchy stress xx, yy, zz, yz, xz, xy \[Pa\] of a law without memory.
+    fn stress(&self, place: &Place, moment: &Moment) -> [f64; 6] {
+        let (f, rate) = (moment.deformation(place), moment.rate(place));
+        let tau = self.problem.material.kirchhoff::<f64, 3>(&f, &rate);
+        let jacobian = determinant(&f);
+        let of = |i: usize, j: usize| tau[i][j] / jacobian;
+        [of(0, 0), of(1, 1), of(2, 2), of(1, 2), of(0, 2), of(0, 1)]
     }
 
     /// Exact values at the end of the particle that began there.
@@ -176,12 +199,7 @@ impl Reference {
         let (stress, variables) = if let Some((_, ended)) = &self.followed {
             (ended[number].stress, ended[number].variables.clone())
         } else {
-            let f = moment.deformation(place);
-            let jacobian = determinant_of::<f64, 3>(&f);
-            let tau = self.problem.material.kirchhoff::<f64, 3>(&f);
-            let of = |i: usize, j: usize| tau[i][j] / jacobian;
-            let stress = [of(0, 0), of(1, 1), of(2, 2), of(1, 2), of(0, 2), of(0, 1)];
-            (stress, vec![])
+            (self.stress(place, moment), vec![])
         };
         Some(Exact {
             displacement: std::array::from_fn(|i| x[i] - place.from_center[i]),
@@ -203,6 +221,9 @@ fn follow_all(
     match material.kind {
         Kind::VonMises => of_law(problem, &material.von_mises(), 1, places, moments, dt),
         Kind::DruckerPrager => of_law(problem, &material.drucker_prager(), 1, places, moments, dt),
+        Kind::Tresca => of_law(problem, &material.tresca(), 1, places, moments, dt),
+        Kind::MohrCoulomb => of_law(problem, &material.mohr_coulomb(), 1, places, moments, dt),
+        Kind::Bingham => of_law(problem, &material.bingham(), 1, places, moments, dt),
         _ => {
             let law = proctor_laws::LinearElastic::new(material.young, material.poisson);
             of_law(problem, &law, 2, places, moments, dt)

@@ -21,7 +21,10 @@ fn derivatives_are_those_of_differences() {
     for axes in [2, 3] {
         for family in Family::ALL {
             for kind in Kind::ALL {
-                if kind.yields() && !family.has_frame() {
+                let of_frame = kind.yields() && !family.has_frame();
+                let of_plane = kind.has_edges() && axes == 3;
+                let cut = family == Family::Cut && kind != Kind::Elastic;
+                if of_frame || of_plane || cut {
                     continue;
                 }
                 let choice = Choice {
@@ -103,6 +106,7 @@ fn stresses_are_those_of_the_kernel() {
             poisson: 0.3,
             strength: 1.0,
             hardening: 0.0,
+            viscosity: 0.0,
             density: 1000.0,
             stress: [0.0; 6],
         };
@@ -116,7 +120,7 @@ fn stresses_are_those_of_the_kernel() {
             }
             f = product(&relative, &f);
         }
-        let tau = material.kirchhoff::<f64, 3>(&f);
+        let tau = material.kirchhoff::<f64, 3>(&f, &[[0.0; 3]; 3]);
         let jacobian = determinant_of::<f64, 3>(&f);
         let of = |i: usize, j: usize| tau[i][j] / jacobian;
         let expected = [of(0, 0), of(1, 1), of(2, 2), of(1, 2), of(0, 2), of(0, 1)];

@@ -1,10 +1,11 @@
 //! Three fixed families on short ladders: every gate holds.
 
-use proctor_scene::{StressScheme, TransferKind};
+use proctor_scene::{StressScheme, TransferKind, Weighting};
 use proctor_verification::mill::judge;
 use proctor_verification::mill::ladder::Faults;
 use proctor_verification::mill::material::Kind;
 use proctor_verification::mill::problem::{Family, Problem};
+use proctor_verification::settings::Method;
 
 use super::{method, problem};
 
@@ -29,7 +30,7 @@ fn a_floating_body_keeps_its_orders() {
 
 #[test]
 fn a_body_between_planes_keeps_its_orders() {
-    for kind in [Kind::Hencky, Kind::Elastic] {
+    for kind in [Kind::Hencky, Kind::Elastic, Kind::Newtonian] {
         holds(&problem(
             Family::Box,
             kind,
@@ -45,5 +46,29 @@ fn a_yielding_body_in_a_frame_keeps_its_orders() {
     holds(&problem(Family::Frame, Kind::VonMises, usl));
     holds(&problem(Family::Affine, Kind::DruckerPrager, usl));
     let usf = method(StressScheme::Usf, TransferKind::Apic);
-    holds(&problem(Family::Affine, Kind::VonMises, usf));
+    for kind in [Kind::VonMises, Kind::Bingham, Kind::MohrCoulomb] {
+        holds(&problem(Family::Affine, kind, usf));
+    }
+}
+
+/// On a face of the pyramid everywhere.
+#[test]
+fn a_clay_in_a_frame_keeps_its_orders() {
+    let usl = method(StressScheme::Usl, TransferKind::Apic);
+    holds(&problem(Family::Frame, Kind::Tresca, usl));
+}
+
+/// Two bodies in contact move as the one that was cut.
+#[test]
+fn a_body_that_is_cut_keeps_its_orders() {
+    for method in [
+        method(StressScheme::Musl, TransferKind::Apic),
+        method(StressScheme::Usf, TransferKind::Flip),
+    ] {
+        let method = Method {
+            weighting: Weighting::UniformGimp,
+            ..method
+        };
+        holds(&problem(Family::Cut, Kind::Elastic, method));
+    }
 }

@@ -10,7 +10,7 @@ const BASE_GATE: f64 = 1e-3;
 const JUDGED: &str = "H/h=32"; // The mesh on which the top velocity is judged
 
 /// Tables, gates and lines for the record.
-pub fn verdict(size: Size, solved: &[(Rung, Solved)]) -> Verdict {
+pub fn verdict(runs: &Runs<'_>) -> Verdict {
     let mut verdict = Verdict::default();
     for (variant, title) in [
         (
@@ -24,32 +24,31 @@ pub fn verdict(size: Size, solved: &[(Rung, Solved)]) -> Verdict {
     ] {
         verdict.tables.push((
             title.to_owned(),
-            table(solved, variant, &[TOP, UPPERMOST, L2]),
+            runs.table(Some(variant), &[TOP, UPPERMOST, L2]),
         ));
     }
-    let columns: &[&str] = match size {
+    let columns: &[&str] = match runs.size {
         Size::Quick => &["p-wave"],
         Size::Full => &["p-wave", "p-wave-3d"],
     };
     for variant in columns {
         verdict.gates.push(Gate::at_most(
             format!("{variant}: error of {TOP}, {JUDGED}"),
-            error_of(solved, &format!("{variant} {JUDGED}"), TOP),
+            runs.error(&format!("{variant} {JUDGED}"), TOP),
             TOP_GATE,
             "one percent at 32 cells is what the project promises",
         ));
     }
-    let smooth = &verdict.tables[1].1;
-    let order = "order 2 is expected of uGIMP at small strain with dt like h²; 0.3 is left for coarse meshes";
-    let gate = order_gate(smooth, L2, ORDER_GATE, order);
-    verdict.gates.push(of_variant("smooth", gate));
+    let why = "order 2 is expected of uGIMP at small strain with dt like h²; 0.3 is left for coarse meshes";
+    let rule = order(L2).at_least(ORDER_GATE, why);
+    verdict.gates.push(runs.gate_of("smooth", &rule));
     for variant in ["text", "input"] {
         let label = format!("manual's {variant}");
         let reason = "the base is prescribed: a time label wrong by half a step alone is 0.16 % of A with the input";
         verdict
             .gates
-            .push(error_at_most(solved, &label, BASE, BASE_GATE, reason));
-        if let Some(s) = run_of(solved, &label) {
+            .push(runs.error_at_most(&label, BASE, BASE_GATE, reason));
+        if let Some(s) = runs.run(&label) {
             verdict.for_the_record.push(format!(
                 "{label}: {LOWEST} {:.3} % (h/4 above the base; the block is elastic)",
                 100.0 * s.error(LOWEST)
@@ -60,7 +59,7 @@ pub fn verdict(size: Size, solved: &[(Rung, Solved)]) -> Verdict {
         ("flip", "FLIP with USL, c dt/h = 0.1"),
         ("linear", "the base shaken with 3e-4 m/s, scaled to 0.3 m/s"),
     ] {
-        if let Some(s) = run_of(solved, &format!("{variant} {JUDGED}")) {
+        if let Some(s) = runs.run(&format!("{variant} {JUDGED}")) {
             verdict.for_the_record.push(format!(
                 "{what}, {JUDGED}: {TOP} off by {:.2} %, {L2} {:.2} %",
                 100.0 * s.error(TOP),

@@ -10,12 +10,13 @@ const BALANCE_GATE: f64 = 1e-12;
 const ORDER_GATE: f64 = 0.6; // Least observed order of the duration
 
 /// Tables, gates and lines for the record.
-pub fn verdict(rungs: &[Rung], solved: &[(Rung, Solved)]) -> Verdict {
+pub fn verdict(runs: &Runs<'_>) -> Verdict {
+    let rungs = runs.rungs;
     let mut verdict = Verdict::default();
     for (i, rung) in rungs.iter().enumerate() {
         let gates = &mut verdict.gates;
         let mut gate = |name, bound, reason| {
-            gates.push(error_at_most(solved, &rung.label, name, bound, reason));
+            gates.push(runs.error_at_most(&rung.label, name, bound, reason));
         };
         gate(
             MOMENTUM,
@@ -50,13 +51,13 @@ pub fn verdict(rungs: &[Rung], solved: &[(Rung, Solved)]) -> Verdict {
                 "the impulse is off by de / (1 + e), where the front leaves de in the restitution e",
             );
             let names = [DURATION, IMPULSE, RESTITUTION];
-            let table = table(solved, rung.variant, &names);
+            let table = runs.table(Some(rung.variant), &names);
             if rungs.iter().filter(|r| r.variant == rung.variant).count() > 1 {
-                let order = order_gate(&table, DURATION, ORDER_GATE, "2/3, as the front spreads");
-                verdict.gates.push(of_variant(rung.variant, order));
+                let rule = order(DURATION).at_least(ORDER_GATE, "2/3, as the front spreads");
+                verdict.gates.push(runs.gate_of(rung.variant, &rule));
             }
             verdict.tables.push((rung.variant.to_owned(), table));
-        } else if let Some(s) = run_of(solved, &rung.label) {
+        } else if let Some(s) = runs.run(&rung.label) {
             verdict.for_the_record.push(format!(
                 "{}: restitution {:.3}, energy dissipated {:.2} %",
                 rung.label,

@@ -244,7 +244,7 @@ pub(super) fn quantities(
 }
 
 /// What is asked of them.
-pub(super) fn gates(solved: &[(Rung, Solved)], rung: &Rung) -> Vec<Gate> {
+pub(super) fn gates(runs: &Runs<'_>, rung: &Rung) -> Vec<Gate> {
     let round_off = "round-off of the state before";
     let asked = [
         (YIELD, 1e-14, round_off),
@@ -255,6 +255,6 @@ pub(super) fn gates(solved: &[(Rung, Solved)], rung: &Rung) -> Vec<Gate> {
         (CORNERS, 1e-14, round_off),
     ];
     asked
-        .map(|(name, bound, why)| error_at_most(solved, &rung.label, name, bound, why))
+        .map(|(name, bound, why)| runs.error_at_most(&rung.label, name, bound, why))
         .to_vec()
 }

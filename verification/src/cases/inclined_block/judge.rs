@@ -29,7 +29,7 @@ pub fn verdict(runs: &Runs<'_>) -> Verdict {
             all.filter(|(_, problem)| !matches!(problem.kind, Kind::Walk(_)))
         };
         for (rung, problem) in ladder.iter().filter(of_group) {
-            if let (Kind::Walk(_), Some(s)) = (problem.kind, run_of(solved, &rung.label)) {
+            if let (Kind::Walk(_), Some(s)) = (problem.kind, runs.run(&rung.label)) {
                 let elements = by_elements(rung, problem).map(|slid| {
                     let creep = slid.creep / (GRAVITY * TIME);
                     format!("; finite elements {creep:.1e}, {:.2} m", slid.way)
@@ -48,7 +48,7 @@ pub fn verdict(runs: &Runs<'_>) -> Verdict {
         };
         let worst = |name: &str| {
             group()
-                .map(|(rung, _)| error_of(solved, &rung.label, name))
+                .map(|(rung, _)| runs.error(&rung.label, name))
                 .reduce(|a, b| if a >= b || a.is_nan() { a } else { b })
                 .unwrap_or(f64::NAN)
         };
@@ -82,7 +82,7 @@ pub fn verdict(runs: &Runs<'_>) -> Verdict {
             }
             Kind::Printed => {
                 for (rung, problem) in group() {
-                    if let Some(s) = run_of(solved, &rung.label) {
+                    if let Some(s) = runs.run(&rung.label) {
                         verdict.for_the_record.push(format!(
                             "as printed, mu = {}: displacement at 2 s off by {:+.2} %, fitted acceleration by {:.2} %",
                             problem.friction,

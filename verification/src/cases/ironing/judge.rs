@@ -22,7 +22,7 @@ pub fn verdict(runs: &Runs<'_>) -> Verdict {
         solved,
         ..
     } = *runs;
-    let mut gates = pressed::gates(rungs, solved);
+    let mut gates = pressed::gates(runs);
     for rung in rungs {
         if rung.variant == pressed::VARIANT {
             continue;
@@ -85,7 +85,7 @@ pub fn verdict(runs: &Runs<'_>) -> Verdict {
     Verdict {
         tables: vec![(
             pressed::VARIANT.to_owned(),
-            table(solved, pressed::VARIANT, &[pressed::HISTORY]),
+            runs.table(Some(pressed::VARIANT), &[pressed::HISTORY]),
         )],
         gates,
         for_the_record: solved

@@ -88,12 +88,12 @@ pub fn curve(label: &str, forces: &[[f64; 2]], known: &[f64]) -> Curve {
 }
 
 /// The force within what the figures of the whole way are held to, and half of it on the next mesh.
-pub fn gates(rungs: &[Rung], solved: &[(Rung, Solved)]) -> Vec<Gate> {
-    let own = rungs.iter().filter(|rung| rung.variant == VARIANT);
+pub fn gates(runs: &Runs<'_>) -> Vec<Gate> {
+    let own = runs.rungs.iter().filter(|rung| rung.variant == VARIANT);
     let judged = own.filter_map(|rung| {
         let bound = [(CELL, 0.05), (0.5 * CELL, 0.025)];
         let bound = bound.iter().find(|(cell, _)| *cell == rung.cell)?.1;
-        let error = error_of(solved, &rung.label, HISTORY);
+        let error = runs.error(&rung.label, HISTORY);
         let name = format!("{}: error of {HISTORY}", rung.label);
         let reason = "5 % at the paper's cells, first order as in the other cases of contact";
         Some(Gate::at_most(name, error, bound, reason))

@@ -9,5 +9,4 @@ pub mod relaxation;
 pub mod run_out;
 pub mod slab;
 pub mod stepping;
-pub mod verdicts;
 pub mod yielding;

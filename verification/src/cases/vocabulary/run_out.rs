@@ -9,8 +9,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use proctor_scene::simulation::Simulation;
 
 use super::stepping::step;
-use super::verdicts::value_of;
-use crate::case::{Drawing, Gate, Quantity, Rung, Solved};
+use crate::case::gates::Runs;
+use crate::case::{Drawing, Gate, Quantity};
 use crate::study::{Failure, Observer, Phase};
 
 const SAMPLES: u32 = 64; // Samples of a run
@@ -287,17 +287,17 @@ pub fn outlines(cells: &BTreeSet<[i64; 2]>) -> Vec<Vec<[i64; 2]>> {
 }
 
 /// What is said of a run, after `what` it came to, and judges nothing.
-pub fn said(solved: &[(Rung, Solved)], label: &str, what: &str) -> String {
+pub fn said(runs: &Runs<'_>, label: &str, what: &str) -> String {
     format!(
         "{label}: {what}; planes and the transfer took {:.0} % of what fell",
-        100.0 * value_of(solved, label, UNBOOKED)
+        100.0 * runs.value(label, UNBOOKED)
     )
 }
 
 /// The gates of a run, by the label of its rung: what holds whatever the law. `rests` where it must come to rest.
-pub fn gates(solved: &[(Rung, Solved)], label: &str, rests: bool) -> Vec<Gate> {
+pub fn gates(runs: &Runs<'_>, label: &str, rests: bool) -> Vec<Gate> {
     let at_most = |name: &str, bound: f64, reason: &'static str| {
-        let value = value_of(solved, label, name);
+        let value = runs.value(label, name);
         Gate::at_most(format!("{label}: {name}"), value, bound, reason)
     };
     let mut gates = vec![

@@ -35,6 +35,7 @@ pub fn write(problem: &Problem) -> Value {
         "family": problem.family.word(),
         "axes": axes,
         "end": problem.end,
+        "friction": problem.friction,
         "ladder": problem.ladder,
         "method": {
             "weighting": problem.method.weighting_word(),
@@ -57,6 +58,7 @@ pub fn write(problem: &Problem) -> Value {
             "poisson": material.poisson,
             "strength": material.strength,
             "hardening": material.hardening,
+            "viscosity": material.viscosity,
             "density": material.density,
             "stress": material.stress,
         },
@@ -135,6 +137,7 @@ fn problem(value: &Value) -> Result<Problem, String> {
         )?,
         motion,
         material: material(value)?,
+        friction: or_zero(value, "friction", "a number that is not negative")?,
         end,
         method: method(value)?,
         ladder,
@@ -191,6 +194,11 @@ fn material(value: &Value) -> Result<Material, String> {
         hardening: of("hardening", "a number that is not negative [Pa]", |x| {
             x >= 0.0
         })?,
+        viscosity: or_zero(
+            value,
+            "material.viscosity",
+            "a number that is not negative [Pa s]",
+        )?,
         density: of("density", "a positive number [kg/m³]", positive)?,
         stress: at(value, "material.stress")?,
     })
@@ -208,6 +216,16 @@ fn method(value: &Value) -> Result<Method, String> {
         scheme: word(value, "method.scheme", &SCHEMES)?,
         transfer: word(value, "method.transfer", &transfers)?,
     })
+}
+
+/// The number at a key that a problem of another kind lacks; 0 where it is not there.
+fn or_zero(value: &Value, key: &str, accepted: &str) -> Result<f64, String> {
+    let found = at::<Option<f64>>(value, key)?.unwrap_or(0.0);
+    if found >= 0.0 {
+        Ok(found)
+    } else {
+        Err(format!("`{key}` is {found}; accepted: {accepted}"))
+    }
 }
 
 /// The value at a key, whose parts are joined by dots.
