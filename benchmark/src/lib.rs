@@ -1,6 +1,7 @@
 //! The benchmark half: what is measured, kept, judged and shown, and the `proctor` command over all of it.
 #![forbid(unsafe_code)]
 
+pub mod arena;
 pub mod bench;
 mod exit;
 pub mod frames;

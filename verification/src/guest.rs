@@ -2,7 +2,10 @@
 //! its frames are compared with.
 //!
 //! Solvers get the language of the manuals: three dimensions, one velocity for a body, loads on nodes. Plane strain becomes
-//! a slab one cell thick between rollers, and a traction the nodal loads that it is integrated to. Both are exact.
+//! a slab one cell thick between rollers, a traction the nodal loads that it is integrated to, and a velocity that differs from
+//! place to place many small bodies. All are exact.
+
+pub(crate) mod start;
 
 use proctor_scene::{
     Dimension, Field, Mesh, PlaneCondition, PointLoad, Results, Scene, Shape, TimeStep, Traction,

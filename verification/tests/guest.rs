@@ -108,6 +108,11 @@ fn this_kernel_comes_near_the_exact_solutions() {
         ("base-acceleration", 0.06),
         ("step-bar", 0.06),
         ("inclined-block", 0.02),
+        ("bar", 0.06),
+        ("axis-aligned", 0.1),
+        ("staggered-start", 0.02),
+        ("colliding-blocks", 0.1),
+        ("inclined-two-blocks", 0.01),
     ] {
         let (guest, rung) = guest(case);
         let error = guest

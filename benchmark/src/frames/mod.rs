@@ -7,9 +7,13 @@ mod last;
 
 pub use last::{all, last};
 
+use crate::show::bytes;
 use data::{Data, Encoding, Layout};
 use std::collections::BTreeMap;
 use std::path::Path;
+
+/// Largest file that is read \[bytes\]: five million particles in ASCII.
+const LARGEST: u64 = 1 << 30;
 
 /// The particles of a frame.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -42,6 +46,14 @@ impl Frame {
 /// # Errors
 /// Why it cannot be read, with the name of the file.
 pub fn read(path: &Path) -> Result<Frame, String> {
+    let size = std::fs::metadata(path).map_or(0, |data| data.len());
+    if size > LARGEST {
+        let (found, most) = (bytes(size), bytes(LARGEST));
+        return Err(format!(
+            "{}: a frame of {found}; at most {most} are read",
+            path.display()
+        ));
+    }
     let bytes = proctor_files::reading::read(path)
         .map_err(|error| format!("{}: {error}", path.display()))?;
     parse(&bytes).map_err(|reason| format!("{}: {reason}", path.display()))

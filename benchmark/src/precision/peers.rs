@@ -5,7 +5,7 @@ use super::cost::{At, Cost, cost};
 use super::findings::LEVELS;
 use super::problems::keep_fields;
 use super::run::{LONG, USELESS};
-use crate::bench::children::{Calibration, Handed, OWN, calibrate, own};
+use crate::bench::children::{Calibration, Handed, OWN, calibrate, is_endless, is_skip, own};
 use crate::bench::config::Executable;
 use crate::measure::Spent;
 use crate::record::{Row, key};
@@ -14,9 +14,10 @@ use proctor_verification::convergence::{self, ConvergenceTable};
 use proctor_verification::study::Study;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
 
 /// Dimensions of all problems that other solvers get.
-const AXES: usize = 3;
+pub(crate) const AXES: usize = 3;
 
 /// An executable, and what its calibration said.
 pub struct Peer {
@@ -31,6 +32,8 @@ pub struct Peer {
 pub struct PeerLine {
     /// Name of the executable.
     pub name: String,
+    /// Its method, where its configuration says it.
+    pub method: Option<String>,
     /// Its runs, coarse to fine.
     pub runs: Vec<PeerRun>,
 }
@@ -69,6 +72,16 @@ impl PeerRun {
 }
 
 impl PeerLine {
+    /// True where a finer run would take too long, or end as the last one did.
+    fn is_done(&self, longest: Option<Duration>) -> bool {
+        self.runs.last().is_some_and(|run| {
+            let hopeless = |reason: &String| is_skip(reason) || is_endless(reason);
+            let took = run.samples.iter().map(|spent| spent.wall).max();
+            run.error.as_ref().err().is_some_and(hopeless)
+                || longest.is_some_and(|longest| took > Some(longest))
+        })
+    }
+
     /// Cost of each of [`LEVELS`] along the line.
     #[must_use]
     pub fn costs(&self, threads: usize) -> [Cost; 2] {
@@ -103,6 +116,18 @@ impl PeerLine {
         let order = (coarse_error / fine_error).ln() / (coarse.rung.cell / fine.rung.cell).ln();
         order.is_finite().then_some(order)
     }
+}
+
+/// Least order of an error that falls, and the error below which a solver is near its answer whatever its order.
+const FALLS: f64 = 0.3;
+const NEAR: f64 = 0.05;
+
+/// What to say of a solver whose error on its finest mesh is large and does not fall with the cells.
+#[must_use]
+pub fn stays(order: Option<f64>, error: f64) -> Option<&'static str> {
+    (error > NEAR && order.is_some_and(|order| order < FALLS)).then_some(
+        "its error does not fall with the cells: it solves another problem, or a word of the scene does not act",
+    )
 }
 
 /// Has this program and each executable run the free fall, and adds a row for each to `rows`.
@@ -143,10 +168,48 @@ pub fn run(
     folder: &Path,
     stop: &AtomicBool,
 ) -> Result<Vec<PeerLine>, String> {
+    let visit = Visit {
+        effort,
+        longest: None,
+        threads,
+        folder,
+        stop,
+    };
+    run_as(study, peers, &visit)
+}
+
+/// How executables are run.
+#[derive(Clone, Copy)]
+pub struct Visit<'a> {
+    /// Path of refinement and repetitions.
+    pub effort: Effort,
+    /// Time by the clock after which an executable gets no finer run.
+    pub longest: Option<Duration>,
+    /// Threads of each run.
+    pub threads: usize,
+    /// Folder of scenes and results.
+    pub folder: &'a Path,
+    /// Raised where the user stops.
+    pub stop: &'a AtomicBool,
+}
+
+/// As [`run`], as a visit says.
+///
+/// # Errors
+/// Why other solvers cannot run it.
+pub fn run_as(study: Study, peers: &[Peer], visit: &Visit<'_>) -> Result<Vec<PeerLine>, String> {
+    let Visit {
+        effort,
+        longest,
+        threads,
+        folder,
+        stop,
+    } = *visit;
     let mut lines: Vec<PeerLine> = peers
         .iter()
         .map(|peer| PeerLine {
             name: peer.executable.name.clone(),
+            method: peer.executable.method.clone(),
             runs: vec![],
         })
         .collect();
@@ -156,6 +219,9 @@ pub fn run(
         let folder = folder.join(study.name()).join(key(&rung.label));
         let mut due = None;
         for (peer, line) in peers.iter().zip(&mut lines) {
+            if line.is_done(longest) {
+                continue;
+            }
             let mut run = PeerRun {
                 rung: rung.clone(),
                 samples: vec![],
@@ -203,6 +269,7 @@ fn timed(
     folder: &Path,
     stop: &AtomicBool,
 ) -> Result<Vec<Spent>, String> {
+    handed.warm_up(executable, threads, folder, stop)?;
     let mut samples: Vec<Spent> = vec![];
     while samples.len() < effort.repetitions.max(1) && !stop.load(Ordering::Relaxed) {
         let spent = handed.run(executable, threads, folder, stop)?;

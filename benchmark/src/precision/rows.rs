@@ -6,6 +6,7 @@ use super::peers::{PeerLine, PeerRun};
 use super::run::{Run, Sample, Studied, minimum_and_median};
 use crate::record::{LADDER, Record, Row, key};
 use proctor_verification::settings::Method;
+use proctor_verification::study::Study;
 
 /// Name of the rows of a line.
 fn line_name(case: &str, method: Method) -> String {
@@ -84,7 +85,7 @@ impl Record {
         }
         for peer in &studied.peers {
             for run in &peer.runs {
-                for row in peer_rows(studied, peer, run, threads) {
+                for row in peer_rows(studied.study, peer, run, threads) {
                     self.push(row);
                 }
             }
@@ -143,6 +144,7 @@ fn peer_values(studied: &Studied, peer: &PeerLine, run: &PeerRun) -> [String; 21
     let measure = studied.study.measures().first().map(|m| m.word);
     let mut values: [String; 21] = Default::default();
     studied.study.name().clone_into(&mut values[0]);
+    values[1] = peer.method.clone().unwrap_or_default();
     values[5] = format!("{:e}", run.rung.cell);
     values[8] = run.particles.map_or_else(String::new, |n| n.to_string());
     measure.unwrap_or_default().clone_into(&mut values[12]);
@@ -165,8 +167,8 @@ fn peer_values(studied: &Studied, peer: &PeerLine, run: &PeerRun) -> [String; 21
 }
 
 /// A row per repetition of a run of another solver; one for a run that failed before it was timed.
-fn peer_rows(studied: &Studied, peer: &PeerLine, run: &PeerRun, threads: usize) -> Vec<Row> {
-    let case = studied.study.name();
+pub(crate) fn peer_rows(study: Study, peer: &PeerLine, run: &PeerRun, threads: usize) -> Vec<Row> {
+    let case = study.name();
     let line = format!("precision/{case}/peer/{}", key(&peer.name));
     let name = format!("{line}/h={:.4e}", run.rung.cell);
     let blank = |repetition: usize| {
@@ -179,7 +181,7 @@ fn peer_rows(studied: &Studied, peer: &PeerLine, run: &PeerRun, threads: usize) 
         if let Some(particles) = run.particles {
             row.count("particles", particles as f64);
         }
-        match (&run.error, studied.study.measures().first()) {
+        match (&run.error, study.measures().first()) {
             (Ok(error), Some(measure)) => row.count(format!("error_{}", measure.word), *error),
             (Ok(_), None) => {}
             (Err(reason), _) => row.fail(reason.clone()),

@@ -4,7 +4,8 @@ use super::cheapest::{self, Costs};
 use super::html::escape;
 use super::since::{self, Since};
 use super::speed::{self, Speed};
-use super::{gates, guests, stability, verdict};
+use super::{arena, gates, guests, stability, verdict};
+use crate::arena::Board;
 use crate::record::Record;
 use std::fmt::Write as _;
 
@@ -21,6 +22,7 @@ struct Answer {
 #[must_use]
 pub fn html(record: &Record, since: Option<&Since<'_>>) -> String {
     let (costs, speeds) = (Costs::all(record), Speed::all(record));
+    let board = Board::of(record);
     let mut answers: Vec<Answer> = vec![];
     let mut answer = |about, anchor, found: Option<[String; 2]>, look| {
         answers.extend(found.map(|said| Answer {
@@ -52,8 +54,11 @@ pub fn html(record: &Record, since: Option<&Since<'_>>) -> String {
     );
     answer(
         "Other solvers",
-        "guests",
-        guests::headline(record),
+        if board.is_some() { "arena" } else { "guests" },
+        board.as_ref().map_or_else(
+            || guests::headline(record),
+            |board| Some(arena::headline(board)),
+        ),
         if guests::failing(record) { "bad" } else { "" },
     );
     answer(
@@ -97,7 +102,12 @@ pub fn html(record: &Record, since: Option<&Since<'_>>) -> String {
             cheapest::panel(&costs),
         )],
         vec![
-            ("guests", "Other solvers", guests::panel(record)),
+            // An arena has a section of its own.
+            (
+                "guests",
+                "Other solvers",
+                guests::panel(record).filter(|_| board.is_none()),
+            ),
             (
                 "nearest",
                 "Gates nearest to their bounds",

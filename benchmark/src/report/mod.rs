@@ -4,6 +4,7 @@
 //! from any record that was kept. The first screen answers: verdict, gates nearest to their bounds, cheapest method,
 //! stability, speed, what changed. An index of the cases and each case, folded, follow.
 
+mod arena;
 mod cases;
 mod cheapest;
 mod gates;
@@ -52,6 +53,7 @@ pub fn page_with(
     let record = &whole::whole(record);
     let mut pictures = Pictures::default();
     let sections: Vec<Section> = [
+        arena::section(record, &mut pictures),
         since.map(|since| since::section(since, &mut pictures)),
         history.map(|history| history::section(history, &mut pictures)),
         cases::section(record, &mut pictures),

@@ -1,5 +1,6 @@
 //! Numbers and tables as text.
 
+pub mod arena;
 pub mod case;
 pub mod chart;
 pub mod comparison;

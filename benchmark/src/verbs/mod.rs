@@ -2,6 +2,7 @@
 
 mod accept;
 mod amount;
+mod arena;
 mod bench;
 mod compare;
 mod element;
@@ -56,6 +57,8 @@ pub enum Verb {
     Element(element::Element),
     /// Measure speed: scenes x particles x threads x methods, stages, other executables.
     Bench(bench::Bench),
+    /// Run other solvers on all open cases, in one table and one picture.
+    Arena(arena::Arena),
     /// Write a record as a self-contained HTML page.
     Report(report::Report),
     /// Compare two records: results bit by bit, counts nearly exactly, times by pairs of runs.
@@ -88,6 +91,7 @@ pub fn run(verb: Option<&Verb>, amount: Amount, out: &mut dyn Write) -> Result<O
         Some(Verb::Stability(stability)) => stability.run(out),
         Some(Verb::Element(element)) => element.run(out),
         Some(Verb::Bench(bench)) => bench.run(out),
+        Some(Verb::Arena(arena)) => arena.run(out),
         Some(Verb::Report(report)) => report.run(out),
         Some(Verb::Compare(compare)) => compare.run(out),
         Some(Verb::Judge(judge)) => judge.run(out),

@@ -1,6 +1,8 @@
 //! Things that the user names on the command line.
 
 use crate::exit::Failure;
+use proctor_verification::case;
+use proctor_verification::study::{self, Study};
 
 /// Least likeness of a known name to an unknown word, 0 to 1, for it to be suggested.
 const LIKENESS: f64 = 0.4;
@@ -27,6 +29,19 @@ pub fn chosen<T: Copy>(
         }
     }
     Ok(chosen)
+}
+
+/// Studies of those names; a case that has none says why.
+pub fn studies(names: &[String]) -> Result<Vec<Study>, Failure> {
+    for name in names {
+        let case = case::all().iter().find(|case| case.name() == name);
+        if let Some(Err(reason)) = case.map(|case| case.studied().map(|_| ())) {
+            return Err(Failure::BadInput(format!(
+                "{name}: there is no study of it: {reason}; `proctor verify {name}` runs it"
+            )));
+        }
+    }
+    chosen(names, &study::all(), "case", |study| study.name())
 }
 
 /// What to say to a name that nothing has: the nearest known one, then all.

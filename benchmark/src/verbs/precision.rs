@@ -79,7 +79,7 @@ pub struct Precision {
 
 impl Precision {
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
-        let studies = names::chosen(&self.cases, &study::all(), "case", |study| study.name())?;
+        let studies = names::studies(&self.cases)?;
         if self.guests {
             show::guests::list(&studies, out)?;
             return Ok(Outcome::Fine);

@@ -100,6 +100,22 @@ fn units_are_told_from_times_and_from_particles() {
         matches!(findings[..], [Finding::Clock { factor }] if (factor - 1e3).abs() < 1e-6),
         "{findings:?}"
     );
+    // Gauss points are no other unit, and nothing else is wrong with them.
+    let mut gauss = frame(exact(END), 1.0);
+    let moved = exact(END);
+    for x in &mut gauss.points {
+        *x = std::array::from_fn(|axis| 1.031 * (x[axis] - moved[axis]) + moved[axis]);
+    }
+    let findings = found(&gauss, Some(END), TimeLabel::Frame);
+    assert!(
+        matches!(findings[..], [Finding::Places { .. }]),
+        "{findings:?}"
+    );
+    assert!(
+        findings[0]
+            .to_string()
+            .contains("as those at Gauss points do")
+    );
     // Displacements alone in millimetres: the factor is a unit, and no other time.
     let mut mixed = frame(exact(END), 1.0);
     let (_, values) = mixed.arrays.get_mut("Displacement").expect("displacements");

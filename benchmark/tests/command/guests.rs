@@ -364,10 +364,10 @@ fn a_guest_that_fails_on_a_case_is_a_failed_run_with_its_reason() {
 fn a_case_that_solvers_cannot_run_says_why() {
     let desk = Desk::new();
     let same = json!({ "same": env!("CARGO_BIN_EXE_proctor") });
-    let (exit, text, _) = precision(&desk, "bar", &same);
+    let (exit, text, _) = precision(&desk, "hertz", &same);
     assert_eq!(exit, 0, "{text}");
     assert!(
-        text.contains("not for other solvers: it begins with a velocity"),
+        text.contains("not for other solvers: what is known exactly is the pressure"),
         "{text}"
     );
 }

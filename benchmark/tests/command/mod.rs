@@ -3,6 +3,7 @@
 mod accept;
 mod again;
 mod any_input;
+mod arena;
 mod bad_input;
 mod bench;
 mod caution;

@@ -101,3 +101,44 @@ fn a_record_without_gates_does_not_pass() {
     );
     assert!(!page.contains("PASS"));
 }
+
+#[test]
+fn a_cell_of_the_map_without_a_safe_step_is_not_green() {
+    let mut record = whole().record();
+    let cell = |scheme: &str, warned: bool, passed: bool| {
+        serde_json::json!({
+            "weighting": "linear", "scheme": scheme, "transfer": "FLIP", "particles_per_cell": 2, "axes": [2],
+            "safe": 0.002, "kernel": 0.5, "warned": warned, "passed": passed, "ruled_by": "a wall",
+        })
+    };
+    let detail = serde_json::json!({
+        "cells": [cell("USF", true, true), cell("USL", false, true), cell("MUSL", false, false)],
+        "nonlinear": [], "gates": [], "failures": [],
+    });
+    record.details.stability = serde_json::from_value(detail).expect("a map");
+    let page = proctor_benchmark::report::page(&record, None);
+    for (class, count) in [("warned", 1), ("good", 1), ("bad", 1)] {
+        let cells = page
+            .matches(&format!("<td class=\"{class}\">.002</td>"))
+            .count()
+            + page
+                .matches(&format!("<td class=\"{class}\">0.002</td>"))
+                .count();
+        assert_eq!(cells, count, "{class}");
+    }
+}
+
+/// The kept record of the long ladders is the largest one that there is.
+#[test]
+fn the_page_of_the_largest_record_is_not_larger_than_three_megabytes() {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/expected");
+    let largest = std::fs::read_dir(path)
+        .expect("kept records")
+        .flatten()
+        .filter(|entry| entry.path().extension().is_some_and(|e| e == "json"))
+        .max_by_key(|entry| entry.metadata().map_or(0, |data| data.len()))
+        .expect("a record");
+    let record = proctor_benchmark::record::Record::read(&largest.path()).expect("a record");
+    let page = proctor_benchmark::report::page(&record, None);
+    assert!(page.len() < 3_000_000, "{} bytes", page.len());
+}

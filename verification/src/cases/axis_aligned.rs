@@ -80,7 +80,12 @@ pub static AXIS_ALIGNED: Case = common(
     cells_along(&["large"], [&[8, 16, 32], &[8, 16, 32, 64, 128]]),
     FIELDS,
     2,
-)]);
+)])
+.guest(|rung| {
+    Ok(swing(2).guest(rung, |rung, settings| {
+        scene("axis-aligned", Dimension::Two, rung, settings)
+    }))
+});
 
 /// The same in space.
 pub static AXIS_ALIGNED_3D: Case = common(
@@ -100,14 +105,25 @@ pub static AXIS_ALIGNED_3D: Case = common(
     cells_along(&["large"], [&[4, 8, 16], &[4, 8, 16, 32]]),
     FIELDS,
     3,
-)]);
+)])
+.no_guest("it begins with a velocity that differs from particle to particle, and a scene file has one for a body");
 
 const fn common(name: &'static str, question: &'static str) -> Case {
     Case::new(name, question)
         .method(method)
         .displacements()
         .gates_of_variants(GATES)
-        .no_guest("a force that is another at every place and time drives it, and no scene file can say that")
+}
+
+/// No scene file can say the force that drives the motion. With the small amplitude the body swings so by itself.
+fn swing(axes: usize) -> guest::start::Swing {
+    let modulus = LAW.elasticity().lambda + 2.0 * LAW.elasticity().shear;
+    guest::start::Swing {
+        axes,
+        length: SIDE,
+        amplitude: SMALL,
+        speed: (modulus / DENSITY).sqrt(),
+    }
 }
 
 const fn cells_along(variants: &'static [&'static str], counts: [&'static [u32]; 2]) -> Ladder {

@@ -38,18 +38,50 @@ const WRONG_IMPULSE: Wrong =
     Wrong::factor("impulse", 1.1).breaks_only(|gate| gate.ends_with(": impulse"));
 
 /// Colliding bodies.
-pub static COLLIDING_BLOCKS: Case = Case::new("colliding-blocks", "Do bodies that collide keep their momentum, gain no energy and part as waves say?")
-    .ladder(Ladder::made(rungs))
-    .method(method)
-    .scene(scene)
-    .run(compare)
-    .judge_by(judge::verdict)
-    .wrong_references(&[WRONG_STIFFNESS, WRONG_IMPULSE])
-    .studies(&[Plan::new(Ladder::made(path), &[
+pub static COLLIDING_BLOCKS: Case = Case::new(
+    "colliding-blocks",
+    "Do bodies that collide keep their momentum, gain no energy and part as waves say?",
+)
+.ladder(Ladder::made(rungs))
+.method(method)
+.scene(scene)
+.run(compare)
+.judge_by(judge::verdict)
+.wrong_references(&[WRONG_STIFFNESS, WRONG_IMPULSE])
+.studies(&[Plan::new(
+    Ladder::made(path),
+    &[
         Measure::new("velocity", RESTITUTION),
         Measure::new("duration", DURATION),
-    ], 1)])
-    .no_guest("what is known exactly is how long the bars press on each other, and frames hold no forces of contact");
+    ],
+    1,
+)])
+.guest(parted);
+
+/// Frames hold no forces of contact. The velocity of the second bar after both have parted is known too.
+fn parted(rung: &Rung) -> Result<Guest, &'static str> {
+    let variant = variant(rung);
+    let impact = exact(Reference::CORRECT, &variant);
+    let after = impact
+        .and_then(|impact| impact.velocities())
+        .ok_or("its bodies are no bars")?;
+    let mut scene = variant.scene(rung.cell);
+    guest::settings().apply(&mut scene);
+    let speed = scene.materials[1]
+        .law
+        .wave_speed(scene.materials[1].density);
+    let step = guest::COURANT * rung.cell / speed;
+    let Shape::Cuboid { p1, .. } = scene.bodies[1].shape else {
+        return Err("its bodies are no boxes");
+    };
+    let velocity = move |_: &Vector, _| [after[1], 0.0, 0.0];
+    Ok(Guest {
+        compared: Compared::Velocity,
+        norm: Norm::Mean(0),
+        counts: Box::new(move |x| x[0] > p1[0]),
+        ..Guest::new(guest::prepared(guest::slab(scene), 1, step), velocity).at_the_end()
+    })
+}
 
 /// What a collision gave.
 #[derive(Clone, Copy, Debug, Default)]

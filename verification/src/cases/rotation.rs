@@ -42,14 +42,34 @@ pub static ROTATION: Case = Case::new("rotation", "Does a spinning block turn as
         error(DISPLACEMENT).at_most(1e-2, "one percent of the path of half a turn"),
         error(VELOCITY).at_most(1e-2, "one percent of the path of half a turn"),
     ])
-    .tables(&[TableRule::new("rotation, uGIMP, MUSL, APIC", &[DISPLACEMENT, VELOCITY])])
+    .tables(&[TableRule::new(
+        "rotation, uGIMP, MUSL, APIC",
+        &[DISPLACEMENT, VELOCITY],
+    )])
     .wrong_references(&[WRONG_SPIN])
     .studies(&[Plan::new(
         cells_along(&[4, 8], &[4, 8, 16, 32]),
-        &[Measure::new("displacement", DISPLACEMENT), Measure::new("velocity", VELOCITY)],
+        &[
+            Measure::new("displacement", DISPLACEMENT),
+            Measure::new("velocity", VELOCITY),
+        ],
         2,
     )])
-    .no_guest("it begins with a velocity that is another at every place, and a scene file has one for a body");
+    .guest(|rung| {
+        let fastest = (1.0 + SPEED) * p_wave_speed(YOUNG, POISSON, DENSITY);
+        let moved = move |x: &Vector, t| {
+            let turned = turned(*x, spin() * t);
+            std::array::from_fn(|axis| turned[axis] - x[axis])
+        };
+        Ok(guest::start::moving(
+            rung,
+            scene,
+            2,
+            fastest,
+            |x| velocity(*x, spin()),
+            moved,
+        ))
+    });
 
 const fn cells_along(short: &'static [u32], full: &'static [u32]) -> Ladder {
     Ladder::cells("half turn", "side/h", 2.0 * HALF, short, full)

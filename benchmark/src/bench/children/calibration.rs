@@ -107,9 +107,9 @@ pub(crate) fn calibrate(
 ) -> Result<(Finished, Calibration), Fault> {
     let folder = folder.join(format!("calibration-{axes}d"));
     let out = folder.join(crate::record::key(&executable.name));
-    let file = folder.join("scene.json");
+    let file = folder.join(executable.scene_file());
     let run = || -> Result<(Finished, Frame, Option<f64>), String> {
-        process::prepare(&out, &file, &scene(axes))?;
+        process::prepare(&out, &file, &executable.given(&scene(axes)))?;
         let finished = process::run(executable, &file, threads, &out, stop)?;
         let (frame, label) = last_frame(&out)?;
         Ok((finished, frame, label))

@@ -33,6 +33,11 @@ pub enum Finding {
         /// Positions over those of the scene.
         factor: f64,
     },
+    /// Particles at other places than those of the scene, in its unit.
+    Places {
+        /// Their extent over that of the scene.
+        factor: f64,
+    },
     /// `initial_velocity` does not act.
     Velocity {
         /// Way along x \[m\].
@@ -91,6 +96,12 @@ impl fmt::Display for Finding {
             Self::Length { factor } => write!(
                 f,
                 "its positions are {} times the lengths of the scene, which are in metres",
+                number(factor)
+            ),
+            Self::Places { factor } => write!(
+                f,
+                "its particles begin at other places: they extend over {} times the length of those of the scene, as those at \
+                 Gauss points do",
                 number(factor)
             ),
             Self::Velocity { way } => write!(
@@ -162,6 +173,9 @@ pub(super) fn findings(
     // What is not a number is within nothing, and so is found.
     let within = |value: f64, bound: f64| value.abs() <= bound;
     if within(metre - 1.0, LENGTH) {
+        metre = 1.0;
+    } else if within(metre - 1.0, UNIT) {
+        all.push(Finding::Places { factor: metre });
         metre = 1.0;
     } else {
         all.push(Finding::Length { factor: metre });

@@ -17,15 +17,16 @@ mod written;
 pub use calibration::{Calibration, Fault, judge, scene as free_fall};
 pub use compare::{difference, error, same_time};
 pub use finding::Finding;
+pub use process::{is_endless, is_skip};
 pub(crate) use visit::Handed;
 
-use super::config::{Config, Executable, TimeLabel};
+use super::config::{Config, Executable, TimeLabel, proctor_command};
 use super::plan::words;
 use super::scenes::{Exact, Made};
 use crate::frames::{self, Frame};
 use crate::record::Row;
 use proctor_scene::{SceneError, TimeStep};
-use serde_json::Value;
+use serde_json::{Map, Value};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -65,15 +66,15 @@ pub struct Child {
 #[must_use]
 pub fn own() -> Option<Executable> {
     let program = std::env::current_exe().ok()?;
-    let arguments = ["run", "{scene}", "--out", "{out}", "--threads", "{threads}"];
-    let mut command = vec![program.display().to_string()];
-    command.extend(arguments.map(str::to_owned));
     Some(Executable {
         name: OWN.into(),
-        command,
+        command: proctor_command(program.display().to_string()),
         folder: None,
         timeout: Executable::TIMEOUT,
         time_label: TimeLabel::Frame,
+        warm_up: false,
+        method: None,
+        scene: Map::new(),
     })
 }
 
@@ -155,6 +156,9 @@ pub(crate) fn calibrate(
     row.label("scene", format!("calibration-{axes}d"));
     row.label("stage", "calibration");
     row.label("time_label", executable.time_label.word());
+    if let Some(method) = &executable.method {
+        row.label("method", method.clone());
+    }
     match calibration::calibrate(executable, axes, threads, folder, stop) {
         Ok((finished, calibration)) => {
             let mut row = row.timed(finished.spent);
@@ -245,8 +249,8 @@ impl Child {
         stop: &AtomicBool,
     ) -> Result<Row, String> {
         let job = &self.job;
-        let scene = folder.join(&job.key).join("scene.json");
-        process::prepare(out, &scene, &job.json)?;
+        let scene = folder.join(&job.key).join(self.executable.scene_file());
+        process::prepare(out, &scene, &self.executable.given(&job.json))?;
         let finished = process::run(&self.executable, &scene, self.threads, out, stop)?;
         let mut row = row.timed(finished.spent);
         if let Some(peak) = finished.peak_rss {

@@ -5,6 +5,7 @@ use super::watch::{self, Ended};
 use crate::bench::config::Executable;
 use crate::measure::Spent;
 use crate::record::Row;
+use crate::show::bytes;
 use proctor_files::output::Summary;
 use proctor_files::output::summary::SUMMARY;
 use serde_json::Value;
@@ -14,6 +15,28 @@ use std::process::{Command, Stdio};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 use wait4::Wait4;
+
+/// Exit code of a program that cannot run a scene and says so: a package is missing, or a word is not known. That of `automake`
+/// and `meson` for a test that is skipped.
+const SKIP: i32 = 77;
+/// Reason of a run that ended with it.
+const SKIPPED: &str = "skipped by its exit code 77";
+
+/// True for the reason of a run that its program skipped, with or without more words around it.
+#[must_use]
+pub fn is_skip(reason: &str) -> bool {
+    let reason = reason.strip_prefix("calibration: ").unwrap_or(reason);
+    reason.starts_with(SKIPPED)
+}
+
+/// Begin of the reason of a process that was ended by the clock, and of one that was ended for what it wrote.
+const ENDLESS: [&str; 2] = ["not done after", "wrote more than"];
+
+/// True for the reason of a run that was ended: a finer one would be, too.
+#[must_use]
+pub fn is_endless(reason: &str) -> bool {
+    ENDLESS.iter().any(|begin| reason.starts_with(begin))
+}
 
 /// What a process used.
 pub(super) struct Finished {
@@ -54,7 +77,8 @@ pub(super) fn run(
             .replace("{out}", &out_name)
     };
     let words: Vec<String> = executable.command.iter().map(fill).collect();
-    let [errors, output] = said::outputs(out)?;
+    let outputs = said::Outputs::new(out)?;
+    let [errors, output] = outputs.handed()?;
     let mut command = Command::new(&words[0]);
     command
         .args(&words[1..])
@@ -69,14 +93,31 @@ pub(super) fn run(
     let mut child = command
         .spawn()
         .map_err(|error| cannot_start(&words[0], &error))?;
-    let (used, ended) = watch::until_done(child.id(), executable.timeout, stop, || child.wait4());
+    let floods = || outputs.flooded();
+    let (used, ended) = watch::until_done(child.id(), executable.timeout, floods, stop, || {
+        child.wait4()
+    });
     let used = used.map_err(|error| format!("{}: {error}", words[0]))?;
     let wall = clock.elapsed();
-    if ended == Ended::TimedOut {
-        return Err(format!(
-            "not done after {} s, and ended; more is allowed by `timeout`",
-            executable.timeout.as_secs_f64()
-        ));
+    match ended {
+        Ended::TimedOut => {
+            return Err(format!(
+                "{} {} s, and ended; more is allowed by `timeout`",
+                ENDLESS[0],
+                executable.timeout.as_secs_f64()
+            ));
+        }
+        Ended::Flooded => {
+            let most = bytes(said::MOST);
+            return Err(format!(
+                "{} {most} to one output, and was ended",
+                ENDLESS[1]
+            ));
+        }
+        Ended::Itself => {}
+    }
+    if used.status.code() == Some(SKIP) {
+        return Err(SKIPPED.to_owned());
     }
     if !used.status.success() && !stop.load(Ordering::Relaxed) {
         return Err(used.status.to_string());

@@ -19,14 +19,34 @@ const WORDS: [&str; 4] = ["error", "fatal", "exception", "panicked"];
 const END: u64 = 65536;
 const LETTERS: usize = 200;
 
+/// Largest size of an output \[bytes\]: a program that writes more is ended.
+pub(super) const MOST: u64 = 64 << 20;
+
 /// The files for the standard error and the standard output of a process, in the folder of its results.
-pub(super) fn outputs(out: &Path) -> Result<[Stdio; 2], String> {
-    let create = |name: &str| {
-        let path = out.join(name);
-        File::create(&path).map_err(|error| format!("{}: {error}", path.display()))
-    };
-    let [errors, output] = OUTPUTS.map(|(name, _)| name);
-    Ok([create(errors)?.into(), create(output)?.into()])
+pub(super) struct Outputs([File; 2]);
+
+impl Outputs {
+    /// Creates both.
+    pub(super) fn new(out: &Path) -> Result<Self, String> {
+        let create = |name: &str| {
+            let path = out.join(name);
+            File::create(&path).map_err(|error| format!("{}: {error}", path.display()))
+        };
+        let [errors, output] = OUTPUTS.map(|(name, _)| name);
+        Ok(Self([create(errors)?, create(output)?]))
+    }
+
+    /// Standard error and standard output for a process.
+    pub(super) fn handed(&self) -> Result<[Stdio; 2], String> {
+        let copy = |file: &File| file.try_clone().map_err(|error| error.to_string());
+        Ok([copy(&self.0[0])?.into(), copy(&self.0[1])?.into()])
+    }
+
+    /// True where one is larger than [`MOST`]. A file that its process has removed still has a size.
+    pub(super) fn flooded(&self) -> bool {
+        let size = |file: &File| file.metadata().map_or(0, |data| data.len());
+        self.0.iter().any(|file| size(file) > MOST)
+    }
 }
 
 /// A reason for a failure with the last that the process said on either output.

@@ -57,9 +57,9 @@ impl Handed {
         stop: &AtomicBool,
     ) -> Result<Spent, String> {
         let out = folder.join(crate::record::key(&executable.name));
-        let file = folder.join("scene.json");
+        let file = folder.join(executable.scene_file());
         let run = || {
-            process::prepare(&out, &file, &self.scene)?;
+            process::prepare(&out, &file, &executable.given(&self.scene))?;
             for (name, text) in &self.files {
                 let path = folder.join(name);
                 std::fs::write(&path, text)
@@ -70,6 +70,23 @@ impl Handed {
         run()
             .map(|finished| finished.spent)
             .map_err(|reason| with_words(&reason, &out))
+    }
+
+    /// Runs it once before it is timed, where its executable compiles its kernels for each scene.
+    ///
+    /// # Errors
+    /// Why it failed, with the last that it said.
+    pub(crate) fn warm_up(
+        &self,
+        executable: &Executable,
+        threads: usize,
+        folder: &Path,
+        stop: &AtomicBool,
+    ) -> Result<(), String> {
+        if executable.warm_up {
+            self.run(executable, threads, folder, stop)?;
+        }
+        Ok(())
     }
 
     /// The frames that an executable left in `folder`, as the problem compares them; never none.

@@ -18,6 +18,8 @@ pub(super) enum Ended {
     Itself,
     /// Its time was over.
     TimedOut,
+    /// It wrote more to its outputs than is kept.
+    Flooded,
 }
 
 /// Has a command start in a group of processes of its own, so that all that it starts can be ended together. An interrupt
@@ -32,10 +34,12 @@ pub(super) fn apart(command: &mut Command) {
 #[cfg(not(unix))]
 pub(super) fn apart(_: &mut Command) {}
 
-/// Waits for the process `id`, and ends it with its group after `timeout`. An interrupt is handed on to it.
+/// Waits for the process `id`, and ends it with its group after `timeout`, or where `floods` finds too much on its outputs. An
+/// interrupt is handed on to it.
 pub(super) fn until_done<T>(
     id: u32,
     timeout: Duration,
+    floods: impl Fn() -> bool + Send,
     stop: &AtomicBool,
     wait: impl FnOnce() -> T,
 ) -> (T, Ended) {
@@ -53,6 +57,10 @@ pub(super) fn until_done<T>(
                 if begun.elapsed() >= timeout {
                     end(id, Force::Kill);
                     return Ended::TimedOut;
+                }
+                if floods() {
+                    end(id, Force::Kill);
+                    return Ended::Flooded;
                 }
                 if stop.load(Ordering::Relaxed) {
                     match asked {

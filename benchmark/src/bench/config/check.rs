@@ -1,9 +1,8 @@
 //! From raw keys to a configuration, collecting every problem on the way.
 
-use super::raw::{OneOrMany, RawConfig, RawExecutable};
+use super::raw::{OneOrMany, RawConfig};
 use super::scene::{Method, SceneChoice};
-use super::{Asked, Config, Executable, TimeLabel, manual};
-use crate::bench::children::OWN;
+use super::{Asked, Config, manual};
 use crate::bench::scenes;
 use proctor_files::json::{listed, nearest, words_of};
 use proctor_kernel::memory::{Memory, words};
@@ -11,7 +10,6 @@ use proctor_kernel::team::Team;
 use proctor_scene::Problem;
 use proctor_scene::simulation::Part;
 use std::path::Path;
-use std::time::Duration;
 
 /// Default number of particles, and with `--quick`.
 const PARTICLES: [usize; 2] = [64_000, 8_000];
@@ -24,14 +22,14 @@ const MOST_REPETITIONS: usize = 1_000_000;
 /// Bytes that a particle of a built-in scene needs with its share of the mesh, on the low side: what does not fit by this
 /// does not fit at all.
 const PARTICLE: f64 = 300.0;
-/// Longest time that an executable may have \[s\]: a year.
-const LONGEST_TIMEOUT: f64 = 3.2e7;
+/// The keys of scene files whose words are a method.
+const METHOD: [&str; 3] = ["shape_function", "stress_scheme_update", "transfer"];
 /// Steps before the clock starts: the first sorts and fills the caches.
 const WARM_UP: usize = 3;
 
 /// Collects problems, defaults and warnings.
 pub(super) struct Check<'a> {
-    folder: &'a Path,
+    pub(super) folder: &'a Path,
     pub(super) problems: Vec<Problem>,
     defaults: Vec<String>,
     warnings: Vec<String>,
@@ -262,7 +260,7 @@ impl<'a> Check<'a> {
         list.0.iter().cloned().map(Some).collect()
     }
 
-    fn unknown(&mut self, path: &str, word: &str, known: &[&str]) {
+    pub(super) fn unknown(&mut self, path: &str, word: &str, known: &[&str]) {
         let problem = Problem::new(path, format!("\"{word}\""), listed(known.iter().copied()));
         let near = nearest(word, known.iter().copied());
         self.problems.push(match near {
@@ -276,15 +274,17 @@ impl<'a> Check<'a> {
         let weightings = self.words("shape_function", raw.shape_function.as_ref());
         let schemes = self.words("stress_scheme_update", raw.stress_scheme_update.as_ref());
         let transfers = self.words("transfer", raw.transfer.as_ref());
-        let mut methods = vec![];
-        for weighting in &weightings {
-            for scheme in &schemes {
-                for transfer in &transfers {
-                    methods.push(Method {
-                        weighting: weighting.clone(),
-                        scheme: scheme.clone(),
-                        transfer: transfer.clone(),
-                    });
+        let mut methods = self.named_methods(raw);
+        if methods.is_empty() {
+            for weighting in &weightings {
+                for scheme in &schemes {
+                    for transfer in &transfers {
+                        methods.push(Method {
+                            weighting: weighting.clone(),
+                            scheme: scheme.clone(),
+                            transfer: transfer.clone(),
+                        });
+                    }
                 }
             }
         }
@@ -297,6 +297,45 @@ impl<'a> Check<'a> {
                     }
                 }
             }
+        }
+        methods
+    }
+
+    /// The methods that are listed as three words each.
+    fn named_methods(&mut self, raw: &RawConfig) -> Vec<Method> {
+        let Some(list) = &raw.methods else {
+            return vec![];
+        };
+        let lists = [
+            &raw.shape_function,
+            &raw.stress_scheme_update,
+            &raw.transfer,
+        ];
+        if lists.iter().any(|list| list.is_some()) {
+            let accepted = "either `methods`, or lists of each of the three";
+            self.add("methods", "`methods` beside one of its words", accepted);
+        }
+        let mut methods = vec![];
+        for (i, text) in list.0.iter().enumerate() {
+            let path = entry("methods", i, list.0.len());
+            let words: Vec<&str> = text.split_whitespace().collect();
+            let [weighting, scheme, transfer] = words[..] else {
+                let accepted =
+                    "weighting function, stress scheme and transfer, such as \"uGIMP MUSL APIC\"";
+                self.add(path, format!("\"{text}\""), accepted);
+                continue;
+            };
+            for (key, word) in METHOD.into_iter().zip([weighting, scheme, transfer]) {
+                let known = words_of(key);
+                if !known.iter().any(|known| known.eq_ignore_ascii_case(word)) {
+                    self.unknown(&path, word, &known);
+                }
+            }
+            methods.push(Method {
+                weighting: Some(weighting.to_owned()),
+                scheme: Some(scheme.to_owned()),
+                transfer: Some(transfer.to_owned()),
+            });
         }
         methods
     }
@@ -373,109 +412,6 @@ impl<'a> Check<'a> {
             }
         }
         stages
-    }
-
-    fn executables(&mut self, raw: &RawConfig) -> Vec<Executable> {
-        let mut all = vec![];
-        for (name, executable) in raw.executables.iter().flat_map(|named| &named.0) {
-            let path = format!("executables.{name}");
-            if name == OWN {
-                let accepted = "another name: this program is among them by itself";
-                self.add(&*path, format!("the name `{OWN}`"), accepted);
-            }
-            let (command, folder, timeout, time_label) = match executable {
-                RawExecutable::Path(program) => {
-                    let arguments = ["run", "{scene}", "--out", "{out}", "--threads", "{threads}"];
-                    let mut command = vec![self.program(program)];
-                    command.extend(arguments.map(str::to_owned));
-                    (command, None, Executable::TIMEOUT, TimeLabel::Frame)
-                }
-                RawExecutable::Solver(solver) => {
-                    let mut command = match &solver.command {
-                        // One text is split at blanks, a list is taken as it is.
-                        Some(OneOrMany(words)) if words.len() == 1 => {
-                            words[0].split_whitespace().map(str::to_owned).collect()
-                        }
-                        Some(OneOrMany(words)) => words.clone(),
-                        None => vec![],
-                    };
-                    if command.is_empty() {
-                        self.add(
-                            format!("{path}.command"),
-                            "no command",
-                            "program and arguments, with {scene}, {threads} and {out}",
-                        );
-                        continue;
-                    }
-                    if !command.iter().any(|word| word.contains("{scene}")) {
-                        self.add(
-                            format!("{path}.command"),
-                            "a command without {scene}",
-                            "program and arguments, with {scene}, {threads} and {out}",
-                        );
-                    }
-                    command[0] = self.program(&command[0]);
-                    (
-                        command,
-                        solver
-                            .folder
-                            .as_ref()
-                            .map(|folder| self.folder.join(folder)),
-                        self.timeout(&format!("{path}.timeout"), solver.timeout),
-                        self.time_label(&format!("{path}.time_label"), solver.time_label.as_ref()),
-                    )
-                }
-            };
-            all.push(Executable {
-                name: name.clone(),
-                command,
-                folder,
-                timeout,
-                time_label,
-            });
-        }
-        all
-    }
-
-    fn time_label(&mut self, path: &str, given: Option<&String>) -> TimeLabel {
-        let Some(word) = given else {
-            return TimeLabel::default();
-        };
-        let known = TimeLabel::ALL.iter().find(|(known, _)| known == word);
-        if let Some((_, label)) = known {
-            return *label;
-        }
-        self.unknown(path, word, &TimeLabel::ALL.map(|(known, _)| known));
-        TimeLabel::default()
-    }
-
-    fn timeout(&mut self, path: &str, given: Option<f64>) -> Duration {
-        let Some(seconds) = given else {
-            return Executable::TIMEOUT;
-        };
-        let timeout = Duration::try_from_secs_f64(seconds).unwrap_or_default();
-        if timeout.is_zero() || seconds > LONGEST_TIMEOUT {
-            self.add(
-                path,
-                seconds.to_string(),
-                format!("a number greater than 0 and at most {LONGEST_TIMEOUT} [s]"),
-            );
-        }
-        timeout
-    }
-
-    /// A program by path, seen from the folder of the configuration; one without a folder is looked for in PATH
-    /// unless it lies beside the configuration.
-    fn program(&self, name: &str) -> String {
-        let beside = self.folder.join(name);
-        if name.contains('/') || beside.is_file() {
-            std::path::absolute(&beside)
-                .unwrap_or(beside)
-                .display()
-                .to_string()
-        } else {
-            name.to_owned()
-        }
     }
 }
 

@@ -3,11 +3,13 @@
 //! What is missing takes its default; [`Config::defaults`] says which did, for `--log`.
 
 mod check;
+mod executables;
 mod manual;
 mod raw;
 mod scene;
 mod time_label;
 
+pub use executables::proctor_command;
 pub use manual::{ManualTest, TestScene};
 pub use scene::{Method, SceneChoice};
 pub use time_label::TimeLabel;
@@ -16,6 +18,7 @@ use check::Check;
 use proctor_files::json::{parse, place, unreadable};
 use proctor_scene::SceneError;
 use proctor_scene::simulation::Part;
+use serde_json::{Map, Value};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -46,11 +49,37 @@ pub struct Executable {
     pub timeout: Duration,
     /// What the times of its frames mean.
     pub time_label: TimeLabel,
+    /// Whether a run of each scene comes before the timed ones, in which it compiles its kernels.
+    pub warm_up: bool,
+    /// Its method, in words for tables; none where its configuration does not say.
+    pub method: Option<String>,
+    /// Keys of the method that take the place of those of each scene that it gets.
+    pub scene: Map<String, Value>,
 }
 
 impl Executable {
     /// Time that an executable has where its configuration does not say: an hour.
     pub const TIMEOUT: Duration = Duration::from_secs(3600);
+
+    /// A scene as this executable gets it: with its own keys of the method.
+    #[must_use]
+    pub fn given(&self, scene: &Value) -> Value {
+        let mut given = scene.clone();
+        for (key, value) in &self.scene {
+            given[key] = value.clone();
+        }
+        given
+    }
+
+    /// Name of the file of a scene for it: executables with a scene of their own have a file of their own.
+    #[must_use]
+    pub fn scene_file(&self) -> String {
+        if self.scene.is_empty() {
+            "scene.json".to_owned()
+        } else {
+            format!("scene-{}.json", crate::record::key(&self.name))
+        }
+    }
 }
 
 /// What is to be measured.

@@ -28,6 +28,8 @@ pub(super) struct RawConfig {
     pub shape_function: Option<OneOrMany<String>>,
     pub stress_scheme_update: Option<OneOrMany<String>>,
     pub transfer: Option<OneOrMany<String>>,
+    /// Methods as three words each, in place of the three lists.
+    pub methods: Option<OneOrMany<String>>,
     pub repetitions: Option<usize>,
     /// Steps, or plays of a stage, before the clock starts.
     pub warm_up: Option<usize>,
@@ -206,7 +208,7 @@ pub(super) enum RawExecutable {
 #[derive(Debug, Default, Deserialize)]
 #[serde(
     deny_unknown_fields,
-    expecting = "an object with `command`, `folder`, `timeout` and `time_label`"
+    expecting = "an object with `command`, `folder`, `timeout`, `time_label`, `warm_up`, `method` and `scene`"
 )]
 pub(super) struct RawSolver {
     /// Program and arguments, with {scene}, {threads} and {out}.
@@ -217,6 +219,12 @@ pub(super) struct RawSolver {
     pub timeout: Option<f64>,
     /// What the times of its frames mean. Default: the time of the particles.
     pub time_label: Option<String>,
+    /// Whether a run of each scene comes before the timed ones. Default: no.
+    pub warm_up: Option<bool>,
+    /// Its method, in words for tables.
+    pub method: Option<String>,
+    /// Keys of the method that take the place of those of the scene.
+    pub scene: Option<serde_json::Map<String, serde_json::Value>>,
 }
 
 /// One value or a list of them.
@@ -291,7 +299,8 @@ impl<'de> Visitor<'de> for ExecutableVisitor {
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(
-            "the path of a proctor in quotes, or an object with `command`, `folder`, `timeout` and `time_label`",
+            "the path of a proctor in quotes, or an object with `command`, `folder`, `timeout`, \
+             `time_label`, `warm_up`, `method` and `scene`",
         )
     }
 

@@ -8,7 +8,7 @@ use super::{Chart, Guide, Mark, Point, Series, Stroke};
 use std::fmt::Write;
 
 /// Width of the chart in its own units. Text of 14 units is 10 pixels high where the chart is 400 pixels wide.
-const WIDTH: f64 = 560.0;
+pub(super) const WIDTH: f64 = 560.0;
 /// Height of the plot; bars take what their number needs.
 const PLOT: f64 = 330.0;
 /// Largest height of the plot of a drawing, in which both axes have the same scale.
@@ -108,7 +108,7 @@ pub fn svg(chart: &Chart) -> String {
         y,
     };
     let legend_top = layout.bottom + 3.6 * TEXT;
-    let (places, legend_height) = legend::arranged(chart, WIDTH - 2.0 * EDGE);
+    let (places, legend_height) = legend::arranged(&chart.legend, WIDTH - 2.0 * EDGE);
     let height = legend_top + legend_height + EDGE;
 
     let mut out = String::new();

@@ -2,7 +2,7 @@
 
 use super::style::Shape;
 use super::text::{escaped, width};
-use super::{Chart, Colour, Entry, Mark, Stroke};
+use super::{Colour, Entry, Mark, Stroke};
 use std::fmt::Write;
 
 /// Size of the text.
@@ -15,10 +15,10 @@ const SAMPLE: f64 = 34.0;
 const GAP: f64 = 18.0;
 
 /// Where each entry stands, in a width of `most` from the origin, and the height of all.
-pub fn arranged(chart: &Chart, most: f64) -> (Vec<[f64; 2]>, f64) {
+pub fn arranged(entries: &[Entry], most: f64) -> (Vec<[f64; 2]>, f64) {
     let (mut x, mut row) = (0.0, 0);
     let mut places = vec![];
-    for entry in &chart.legend {
+    for entry in entries {
         let wide = SAMPLE + width(&entry.label, SIZE) + GAP;
         if x > 0.0 && x + wide - GAP > most {
             x = 0.0;

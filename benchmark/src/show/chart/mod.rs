@@ -7,10 +7,12 @@
 mod axis;
 mod draw;
 mod legend;
+mod several;
 mod style;
 mod text;
 
 pub use axis::{Axis, Format, Scale};
+pub use several::side_by_side;
 pub use style::{Colour, Mark, Stroke};
 
 use serde::{Deserialize, Serialize};

@@ -1,10 +1,12 @@
 //! Charts of what was computed: error against time, convergence, curves, speed.
 
+mod arena;
 pub mod history;
 mod precision;
 pub mod refine;
 mod slopes;
 
+pub use arena::{arena, arena_charts, arena_legend};
 pub use precision::error_against_time;
 
 use super::chart::{

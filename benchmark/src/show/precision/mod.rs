@@ -2,9 +2,10 @@
 
 pub mod guests;
 
-use super::{Table, grouped, number, seconds};
+use super::{Table, grouped, number, paragraph, seconds};
 use crate::precision::cost::Cost;
 use crate::precision::findings::{LEVELS, LineFindings};
+use crate::precision::peers::stays;
 use crate::precision::{Findings, Peer, PeerLine, Studied};
 use std::io::{self, Write};
 
@@ -229,6 +230,10 @@ fn peers(studied: &Studied, out: &mut dyn Write) -> io::Result<()> {
             if let Err(reason) = &run.error {
                 writeln!(out, "  FAIL  {}, {}: {reason}", peer.name, run.rung.label)?;
             }
+        }
+        let finest = peer.runs.last().and_then(|run| run.error.clone().ok());
+        if let Some(note) = finest.and_then(|error| stays(peer.order(), error)) {
+            paragraph(&format!("note  {}: {note}", peer.name), 2, out)?;
         }
     }
     Ok(())

@@ -1,0 +1,90 @@
+//! The arena, where the record has one: who took part, what an error costs each, and a chart for each case.
+
+use super::html::{Pictures, Section, Table, folded, paragraph};
+use crate::arena::{Board, speed};
+use crate::record::Record;
+use crate::record::details::Figure;
+use crate::show;
+use crate::show::figures::{arena_charts, arena_legend};
+
+/// Answer of the first screen: who was measured.
+#[must_use]
+pub fn headline(board: &Board) -> [String; 2] {
+    let others: Vec<&str> = board
+        .solvers
+        .iter()
+        .filter(|solver| !Board::is_own(&solver.name) && solver.skipped.is_none())
+        .map(|solver| solver.name.as_str())
+        .collect();
+    [
+        format!("{} cases", board.cases.len()),
+        format!("beside this program: {}", others.join(", ")),
+    ]
+}
+
+/// The section.
+#[must_use]
+pub fn section(record: &Record, pictures: &mut Pictures) -> Option<Section> {
+    let mut body = String::new();
+    let speeds = speed::speeds(record);
+    if !speeds.is_empty() {
+        let caption = "CPU per particle and step (ns) of a flying neo-Hookean block";
+        body.push_str(&as_html(caption, &show::arena::speed_table(&speeds)));
+    }
+    if let Some(board) = Board::of(record) {
+        body.push_str(&paragraph(
+            "Times are CPU times of whole processes, less the CPU of a free fall, which is the start of a solver. All solvers get the \
+             same scenes and meshes; errors are those of displacement or velocity against the exact solution.",
+        ));
+        let caption = "Who took part; over ours: CPU to 1 % over the least of Proctor's methods";
+        body.push_str(&as_html(caption, &show::arena::solvers(&board)));
+        let caption = "CPU to an error, and the smallest error reached";
+        body.push_str(&as_html(caption, &show::arena::cases(&board, true)));
+        let reasons: String = show::arena::reasons(&board)
+            .iter()
+            .map(|reason| paragraph(reason))
+            .collect();
+        if !reasons.is_empty() {
+            body.push_str(&folded("what failed or was skipped", &reasons));
+        }
+        let charts = arena_charts(&board).into_iter().map(|mut chart| {
+            chart.legend = arena_legend(&board);
+            Figure {
+                caption: chart.description.clone(),
+                chart,
+            }
+        });
+        let charts: Vec<Figure> = charts.collect();
+        body.push_str(&pictures.several("Arena", &charts));
+    }
+    (!body.is_empty()).then(|| Section {
+        id: "arena",
+        title: "Arena: solvers by case".to_owned(),
+        body,
+    })
+}
+
+/// A table of text as one of a page.
+fn as_html(caption: &str, table: &show::Table) -> String {
+    let mut lines = table.lines().iter();
+    let head: Vec<&str> = lines
+        .next()
+        .map_or_else(Vec::new, |line| line.iter().map(String::as_str).collect());
+    let mut html = Table::new(caption, &head);
+    let mut case = String::new();
+    for line in lines {
+        let mut cells = line.clone();
+        cells.resize(head.len(), String::new());
+        // Rows can be read alone where the page is narrow.
+        if line.len() == 1 && head.first().is_some_and(|first| first.starts_with("case")) {
+            case.clone_from(&line[0]);
+            continue;
+        }
+        if !case.is_empty() {
+            cells[0] = format!("{case}, {}", line[0].trim_start());
+        }
+        let failed = cells.iter().any(|cell| cell == "failed");
+        html.push_as(if failed { "failed" } else { "" }, cells);
+    }
+    html.html()
+}
