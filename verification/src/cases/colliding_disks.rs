@@ -142,8 +142,8 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
             Ok(())
         },
     )?;
-    let masses = [0, 1].map(|body| simulation.center(body).0);
-    let after = [0, 1].map(|body| simulation.center(body).2[0]);
+    let masses = [0, 1].map(|body| simulation.center(body).mass);
+    let after = [0, 1].map(|body| simulation.center(body).velocity[0]);
     let [x, y, _] = simulation.momentum();
     let peak = |shares: &[f64]| shares.iter().copied().fold(0.0, f64::max);
     let pairs = strains.iter().zip(exact);

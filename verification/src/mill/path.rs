@@ -128,7 +128,8 @@ pub fn follow<M: Law, const D: usize>(
 /// The share of the radius of the stress in the plane that is left between the stress across it and the nearer principal
 /// stress; not a number where there is no stress.
 fn margin<const D: usize>(state: &State<D>) -> f64 {
-    let full = full::<D>(&state.stress).map(|row| row.map(|s| s.value));
+    let stress = Component::ALL.map(|c| state.stress[c]);
+    let full = full::<D>(&stress).map(|row| row.map(|s| s.value));
     let mean = 0.5 * (full[0][0] + full[1][1]);
     let radius = (0.5 * (full[0][0] - full[1][1])).hypot(full[0][1]);
     1.0 - (full[2][2] - mean).abs() / radius
