@@ -15,9 +15,9 @@ type Builder =
 
 /// A kind of contact.
 pub(crate) struct ContactType {
-    /// What the plan says of it.
+    /// Its entries of the plan.
     pub(crate) plan_entries:
         fn(&ContactValues, &CycleSettings, &[PlannedBody<'_>], &mut PlanEntries),
-    /// How it is made.
+    /// Makes it.
     pub(crate) make: Builder,
 }

@@ -38,7 +38,7 @@ use proctor_kernel::simulation::{BodyRun, Interactions, SetupError};
 /// Kinds of contact, in the order in which they act.
 const ALL: &[ContactType] = &[grid::GRID, mortar::MORTAR, surfaces::SURFACES];
 
-/// What the plan says of contact.
+/// Adds the entries of contact to a plan.
 pub fn describe(
     values: &ContactValues,
     settings: &CycleSettings,

@@ -54,13 +54,13 @@ pub(crate) struct NodePair {
     pub sides: [usize; 2],
     /// Unit normal from master to slave.
     pub normal: Vector,
-    /// Whether the mass gradients of both are opposite there.
+    /// True if the mass gradients of both are opposite there.
     pub opposite: bool,
     /// Distance of the bodies less that at which they touch \[m\]; not a number where it is not looked for.
     pub gap: f64,
     /// Force on the slave in the last step \[N\].
     pub force: Vector,
-    /// What it did in the last step.
+    /// Its result in the last step.
     pub state: ContactStatus,
 }
 
@@ -79,12 +79,12 @@ pub(crate) enum ContactStatus {
 /// Contact statuses of pairs at nodes, in order of node and pair.
 pub(crate) type ContactStatuses = Vec<((usize, usize), ContactStatus)>;
 
-/// What contact knows of the scene beside the fields.
+/// The scene as contact reads it, beside the fields.
 #[derive(Clone, Copy)]
 pub(crate) struct Bodies<'a> {
     /// All pairs.
     pub pairs: &'a [Pair],
-    /// Which of them are near.
+    /// True for those of them that are near.
     pub near: &'a [bool],
     /// Particles that can reach a node of a partner, for each surface.
     pub interfaces: &'a [Interface],
@@ -139,7 +139,7 @@ pub(crate) struct NodeLists {
     members: Vec<Member>,
     touches: Vec<FieldTouch>,
     impulses: Vec<Vector>,
-    /// Which of the touches of a slab act at a node.
+    /// Range of the touches of a slab that act at a node.
     which: Vec<usize>,
     /// Numbers of the fields of each pair that is near.
     sides: Vec<Option<[usize; 2]>>,
@@ -265,7 +265,7 @@ impl ContactNodes {
         }
     }
 
-    /// What pairs did at the nodes where a force acted.
+    /// Results of pairs at the nodes where a force acted.
     pub(crate) fn states(&self) -> impl Iterator<Item = ((usize, usize), ContactStatus)> {
         self.nodes.iter().flat_map(|meeting| {
             self.touches[meeting.touches.clone()]

@@ -57,7 +57,7 @@ pub(crate) struct SlabContactState {
     pub done: ContactResult,
     /// The nodes once particles have moved (USF).
     moved: ContactNodes,
-    /// What is done to velocities that are mapped a second time feels no force.
+    /// A correction of velocities that are mapped a second time feels no force.
     unheeded: ContactResult,
     lists: NodeLists,
 }

@@ -44,21 +44,21 @@ impl GridContact {
     }
 }
 
-/// What all slabs share.
+/// Data that all slabs share.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct SharedContact {
     /// All pairs, in order of the identifiers of their bodies.
     pub pairs: Vec<Pair>,
-    /// Which of them are near, as of the last sort.
+    /// True for those of them that are near, as of the last sort.
     pub near: Vec<bool>,
     /// Particles that can reach a node of a partner, for each surface.
     pub interfaces: Vec<Interface>,
-    /// What pairs did at the nodes of all slabs, where particles have moved since.
+    /// Results of pairs at the nodes of all slabs, where particles have moved since.
     pub states: ContactStatuses,
 }
 
 impl SharedContact {
-    /// What contact knows of the model.
+    /// The model as contact reads it.
     fn bodies<'b>(&'b self, context: &'b StepContext<'_>) -> Bodies<'b> {
         Bodies {
             pairs: &self.pairs,

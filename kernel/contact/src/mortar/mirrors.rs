@@ -11,7 +11,7 @@ use std::ops::Range;
 /// The planes of the mesh that mirror bodies: those that are not free.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Mirrors {
-    /// What the lower and the upper plane along each axis prescribe.
+    /// The conditions of the lower and the upper plane along each axis.
     planes: [[PlaneCondition; 2]; 3],
     /// Cells of the mesh.
     cells: [usize; 3],
@@ -48,7 +48,7 @@ impl Mirrors {
             .map(move |(place, condition)| (place, signs(condition, axis)))
     }
 
-    /// Whether a node with the index `lower` along an axis lies on the lower one, and one with `upper` on the upper one.
+    /// True if a node with the index `lower` along an axis lies on the lower one, and one with `upper` on the upper one.
     fn at(&self, axis: usize, lower: i64, upper: i64) -> [bool; 2] {
         let [below, above] = self.mirrors(axis);
         [

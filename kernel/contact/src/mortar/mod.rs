@@ -45,7 +45,7 @@ use crate::values::Mortar;
 use boundaries::Boundaries;
 use proctor_kernel::simulation::StepView;
 
-/// What mortar contact keeps from step to step. Of the two dimensions one is empty.
+/// State of mortar contact from step to step. Of the two dimensions one is empty.
 #[derive(Clone, Debug)]
 pub struct MortarState {
     /// Mortar contact of the model.

@@ -18,7 +18,7 @@ pub(crate) struct MortarPair<const D: usize, const T: usize> {
     pub(super) critical_gap: f64,
     pub(crate) slip: Slip<T>,
     pub(super) forces: PairForces<D, T>,
-    /// How fast the pair closes.
+    /// Speed at which the pair closes.
     pub(super) closing: ClosingRate,
     pub(super) work: Workspace<D>,
 }

@@ -67,18 +67,18 @@ pub(super) fn base_of<const D: usize>(
     base
 }
 
-/// Whether a particle with that base reaches a ghost, where bases that do not are `inner`.
+/// True if a particle with that base reaches a ghost, where bases that do not are `inner`.
 #[inline(always)]
 fn is_mirrored(base: [usize; 3], inner: &[Range<usize>; 3]) -> bool {
     !(0..3).all(|direction| inner[direction].contains(&base[direction]))
 }
 
-/// What a particle has on the nodes of its stencil.
+/// Weights of a particle on the nodes of its stencil.
 #[derive(Clone, Debug)]
 pub(super) struct StencilReach<const D: usize> {
     /// Index of its base in the grid.
     base: usize,
-    /// Whether it reaches a ghost, so that it has an image.
+    /// True if it reaches a ghost, so that it has an image.
     pub(super) mirrored: bool,
     /// Weights along each axis, and their slopes \[1/m\].
     axes: [([f64; 4], [f64; 4]); D],
@@ -133,7 +133,7 @@ impl<const D: usize> StencilReach<D> {
         &self.axes[D - 1]
     }
 
-    /// What the weights of a row are multiplied by for the weight, and for the slope along each axis but the last.
+    /// Factors on the weights of a row for the weight, and for the slope along each axis but the last.
     #[inline(always)]
     pub(super) fn across_row(&self, StencilNode { at, .. }: &StencilNode<D>) -> (f64, [f64; D]) {
         let (w, g) = &self.axes[0];
@@ -216,13 +216,13 @@ impl<const D: usize> StencilReach<D> {
     }
 }
 
-/// What particles have on the nodes of their stencils, found for eight of them at once.
+/// Weights of particles on the nodes of their stencils, found for eight of them at once.
 pub(super) struct StencilReaches<'a, const D: usize> {
     /// The particles of a set.
     pub(super) particles: &'a [usize],
     /// Where they are.
     pub(super) set: &'a ParticleSet,
-    /// How they see the grid.
+    /// Their view of the grid.
     pub(super) mapping: &'a Mapping,
     /// The grid, and what lies beyond it.
     pub(super) shape: &'a GridShape,
@@ -298,7 +298,7 @@ impl<const D: usize> StencilReaches<'_, D> {
     }
 }
 
-/// What four particles from the one in lane `from` have at all nodes, from what all particles have at one.
+/// Weights of four particles from the one in lane `from` at all nodes, from those of all particles at one node.
 #[inline(always)]
 fn turned<Q: Quad>(rows: &[[f64; 8]; 4], from: usize) -> [Q; 4] {
     let mut quads = [Q::splat(0.0); 4];

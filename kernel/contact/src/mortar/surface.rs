@@ -9,7 +9,7 @@ use crate::geometry::mortar::motion::FollowMode;
 use proctor_kernel::model::{History, Vector};
 use proctor_kernel::simulation::BodyRun;
 
-/// What moves the vertices of a surface.
+/// The motion of the vertices of a surface.
 #[derive(Clone, Debug)]
 pub(super) enum BoundaryCarrier {
     /// The nodes of a body's layer.
@@ -23,7 +23,7 @@ pub(super) enum BoundaryCarrier {
 }
 
 impl BoundaryCarrier {
-    /// What moves the boundary of a body: its nodes, or what its motion is prescribed to be.
+    /// The motion of the boundary of a body: that of its nodes, or a prescribed one.
     pub(super) fn of(body: &BodyRun, index: usize, follow: FollowMode) -> Self {
         match &body.motion {
             Some(motion) => Self::Prescribed(Some(motion.clone())),
@@ -82,7 +82,7 @@ pub(crate) struct MovingBoundary<B, const D: usize, const N: usize> {
     pub(super) stiffness: Vec<f64>,
     /// The particles around them, where vertices follow more than velocities.
     pub(super) around: Option<NeighbourParticles<D>>,
-    /// What ties the vertices of a body to its particles.
+    /// The ties of the vertices of a body to its particles.
     pub(super) tied: Option<TiedParticles<D>>,
 }
 

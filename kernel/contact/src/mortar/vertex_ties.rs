@@ -20,7 +20,7 @@ const SUPPORT: f64 = 1.5;
 /// Least variance of the places of particles over the square of that support, for them to span a direction.
 const LEAST: f64 = 0.01;
 
-/// How many times as wide the support is, in this order, until the particles in it span all directions.
+/// Factors on the width of the support, tried in this order until the particles in it span all directions.
 const WIDER: [f64; 3] = [1.0, 2.0, 4.0];
 
 /// Farthest that the first row of particles of a body that a plane cuts is from it, in half-lengths of a particle.
@@ -43,7 +43,7 @@ pub(super) struct VertexTies<const D: usize> {
     of_vertices: Vec<Range<usize>>,
 }
 
-/// What a vertex takes of a particle.
+/// Share of a particle in a vertex.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct VertexTie<const D: usize> {
     /// Number among the tied particles.
@@ -56,7 +56,7 @@ pub(super) struct VertexTie<const D: usize> {
 struct Candidate<const D: usize> {
     p: usize,
     at: PointIn<D>,
-    /// How its displacement is that of the particle.
+    /// Factor on the displacement of the particle.
     signs: PointIn<D>,
 }
 
@@ -138,7 +138,7 @@ impl<const D: usize> VertexTies<D> {
         self.of_vertices.len()
     }
 
-    /// What a vertex is tied to.
+    /// Ties of a vertex.
     pub(super) fn of(&self, vertex: usize) -> &[VertexTie<D>] {
         &self.list[self.of_vertices[vertex].clone()]
     }

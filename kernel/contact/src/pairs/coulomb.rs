@@ -54,11 +54,11 @@ pub struct FieldTouch {
     pub slave: usize,
     /// Unit normal from master to slave.
     pub normal: Vector,
-    /// What they may do.
+    /// The motions that they may take.
     pub law: FrictionLaw,
 }
 
-/// What two fields that touch may do.
+/// The motions of two fields that touch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FrictionLaw {
     /// Part, slide and stick: Coulomb friction with this coefficient.

@@ -1,4 +1,4 @@
-//! Which particles of a body can reach a node that a partner reaches too, until the next sort. Normals and distances
+//! Particles of a body that can reach a node which a partner reaches too, until the next sort. Normals and distances
 //! are sought at such nodes alone, so no other particle is asked.
 
 use super::{Pair, broad};
@@ -19,7 +19,7 @@ pub struct Interface {
     pub runs: Vec<(usize, Range<usize>)>,
     /// Rows that these particles can reach.
     pub rows: ActiveRows,
-    /// What the body shares with each partner, while it is sought.
+    /// Nodes that the body shares with each partner, during the search.
     shared: Vec<SharedNodes>,
 }
 
@@ -76,7 +76,7 @@ impl Interface {
     }
 }
 
-/// Whether a particle can reach some of the nodes before the next sort: it may cross one cell until then.
+/// True if a particle can reach some of the nodes before the next sort: it may cross one cell until then.
 fn reaches(
     set: &ParticleSet,
     layer: usize,

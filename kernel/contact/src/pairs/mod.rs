@@ -45,13 +45,13 @@ pub struct Pair {
     pub slave: usize,
     /// Coefficient of friction.
     pub friction: f64,
-    /// How the normal is found.
+    /// Choice of the normal.
     pub normal: ContactNormal,
     /// Distance of particles at which the bodies touch, for a normal along each axis \[m\].
     pub distance: Vector,
-    /// Whether that distance is a condition for contact.
+    /// True if that distance is a condition for contact.
     pub corrects_distance: bool,
-    /// Whether one of the bodies is driven and its shape known: then that shape acts, not the nodes where both bodies are.
+    /// True if one of the bodies is driven and its shape known: then that shape acts, not the nodes where both bodies are.
     pub by_shape: bool,
     /// No contact is given for the two, so that the driven body holds what touches it.
     pub bonded: bool,

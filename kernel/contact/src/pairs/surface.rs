@@ -44,7 +44,7 @@ pub fn fold_gradient(surface: &mut Planes<'_>, walls: &[Wall]) {
     }
 }
 
-/// What is known of one body at a node.
+/// One body at a node.
 #[derive(Clone, Copy, Debug)]
 pub struct SurfaceSide<'a> {
     /// Mass of the body at the node \[kg\].
@@ -68,7 +68,7 @@ impl SurfaceSide<'_> {
 pub struct MassGradients {
     /// Unit normal from master to slave.
     pub normal: Vector,
-    /// Whether the gradients of both bodies are opposite: at a free corner, an edge or the end of a wall one of them
+    /// True if the gradients of both bodies are opposite: at a free corner, an edge or the end of a wall one of them
     /// turns.
     pub opposite: bool,
 }

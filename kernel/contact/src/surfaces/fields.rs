@@ -31,7 +31,7 @@ impl<'a> Fields<'a> {
         self.grid.fields[field].mass(&self.grid.shape, node)
     }
 
-    /// Whether the motion of the body of a field is prescribed.
+    /// True if the motion of the body of a field is prescribed.
     pub(super) fn is_driven(&self, field: usize) -> bool {
         let body = self.grid.fields[field].owner.body();
         body.is_some_and(|body| self.bodies[body].motion.is_some())

@@ -51,7 +51,7 @@ const SWEEPS: usize = 50;
 pub struct SurfaceContact {
     /// Contacts on the grid, those with the shapes of driven bodies among them.
     given: PairValues,
-    /// What pushes.
+    /// The obstacle that pushes.
     rigid: Vec<RigidObstacle>,
     near: NearParticles,
     /// Touches of the last equation of motion, and those of a second mapping.

@@ -18,7 +18,7 @@ pub(super) struct NearParticles {
     /// Travel of the particles \[cells\] and displacement of the surfaces \[m\] when the list was made.
     travel: f64,
     shifts: Vec<Vector>,
-    /// How each rigid thing moves in this step: found once, not for each particle.
+    /// Motion of each rigid obstacle in this step: found once, not for each particle.
     pub(super) now: Vec<RigidMotion>,
     /// Of one body, while the list is made: the triangle nearest to each particle, and those of them that are near, by
     /// identifier.

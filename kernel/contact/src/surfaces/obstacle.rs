@@ -170,7 +170,7 @@ impl RigidObstacle {
         }
     }
 
-    /// Whether it pushes a body.
+    /// True if it pushes a body.
     pub(super) fn pushes(&self, view: &StepView<'_>, set: usize) -> bool {
         match self {
             Self::Surface(_) => view.bodies[set].motion.is_none(),

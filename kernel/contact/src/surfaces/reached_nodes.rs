@@ -120,7 +120,7 @@ fn add(
     nodes.len() - 1
 }
 
-/// Whether nodes lie beside a wall, where some may be ghosts.
+/// True if nodes lie beside a wall, where some may be ghosts.
 fn touches_a_wall(shape: &GridShape, walls: &[Wall], weights: &NodeWeights) -> bool {
     let (Some(&(first, _)), Some(&(last, _))) = (weights.first(), weights.last()) else {
         return false;

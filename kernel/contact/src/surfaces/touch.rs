@@ -87,7 +87,7 @@ impl SurfaceTouch {
         })
     }
 
-    /// Whether the surface pushes the particle, and whether friction holds it.
+    /// True if the surface pushes the particle, and whether friction holds it.
     #[must_use]
     pub fn pushes_and_holds(&self) -> (bool, bool) {
         if self.floor == f64::NEG_INFINITY {
@@ -103,7 +103,7 @@ impl SurfaceTouch {
     }
 }
 
-/// How the velocity of a touching point answers to impulses on it alone, all others held.
+/// Response of the velocity of a touching point to impulses on it alone, all others held.
 #[derive(Clone, Copy, Debug)]
 struct Response {
     /// Along the normal \[1/kg\], and its inverse; both zero where a boundary holds the point in that direction.
@@ -135,7 +135,7 @@ impl SurfaceTouches {
         self.others.clear();
     }
 
-    /// What the impulse of a touch takes from the kinetic energy of the nodes \[J\], by friction and along the normal: the
+    /// Energy that the impulse of a touch takes from the nodes \[J\], by friction and along the normal: the
     /// impulse times the mean of the velocities over the surface before and after the step, with the sign turned. `line` gives
     /// a node after the solve, before the changes are applied.
     #[must_use]

@@ -19,7 +19,7 @@ pub struct Contact {
     pub master: i64,
     /// Identifier of the slave body.
     pub slave: i64,
-    /// How the normal is found.
+    /// Choice of the normal.
     pub normal: ContactNormal,
 }
 

@@ -27,7 +27,7 @@ pub struct BodyBoundary {
     pub body: i64,
     /// Where the vertices are at the start.
     pub vertices: Vertices,
-    /// How they follow.
+    /// The way in which they follow.
     pub follow: FollowMode,
 }
 
@@ -95,7 +95,7 @@ pub struct MortarContact {
     pub detection: Detection,
 }
 
-/// How contact is enforced.
+/// Enforcement of contact.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Enforcement {
     /// Barrier below the critical gap.

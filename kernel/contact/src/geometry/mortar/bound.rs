@@ -111,7 +111,7 @@ pub fn allowed_approach(gap: f64, critical_gap: f64) -> f64 {
     (gap - 0.5 * critical_gap).max(0.5 * critical_gap)
 }
 
-/// How fast a pair closes, where that is nearest to what a step allows.
+/// Speed at which a pair closes, where that is nearest to the limit of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ClosingRate {
     /// Vertex of the slave; none for the two boundaries as a whole.

@@ -4,7 +4,7 @@ use super::sites::{SHARP, Sites};
 use super::{Point, cross};
 use std::fmt;
 
-/// What a chain of vertices bounds. The material lies on the left of the direction of the vertices, so outward is on
+/// Region that a chain of vertices bounds. The material lies on the left of the direction of the vertices, so outward is on
 /// the right.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BoundarySide {
@@ -21,40 +21,40 @@ pub enum BoundarySide {
 pub struct Chain {
     /// Vertices \[m\].
     pub points: Vec<Point>,
-    /// What it bounds.
+    /// Region that it bounds.
     pub side: BoundarySide,
 }
 
-/// What is wrong with a boundary. Chains, vertices and segments are counted from 0; segment k begins at vertex k of
+/// Fault of a boundary. Chains, vertices and segments are counted from 0; segment k begins at vertex k of
 /// its chain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum BoundaryError {
     /// Fewer vertices than a polyline needs: 3 if closed, 2 if open.
     TooFew {
-        /// Which chain.
+        /// Number of the chain.
         chain: usize,
         /// Number of vertices.
         found: usize,
     },
     /// A coordinate is not a finite number.
     NotFinite {
-        /// Which chain.
+        /// Number of the chain.
         chain: usize,
-        /// Which vertex.
+        /// Number of the vertex.
         vertex: usize,
     },
     /// Two vertices that follow each other coincide.
     Repeated {
-        /// Which chain.
+        /// Number of the chain.
         chain: usize,
         /// The first of the two.
         vertex: usize,
     },
     /// The chain runs the wrong way around, or encloses nothing.
     Orientation {
-        /// Which chain.
+        /// Number of the chain.
         chain: usize,
-        /// What it bounds.
+        /// Region that it bounds.
         side: BoundarySide,
         /// Enclosed area, positive when counter-clockwise \[m²\].
         area: f64,
@@ -189,7 +189,7 @@ impl Boundary {
         &self.segments
     }
 
-    /// What the chain of a segment bounds.
+    /// Region that the chain of a segment bounds.
     #[must_use]
     pub fn side(&self, segment: usize) -> BoundarySide {
         self.sides[segment]
@@ -341,7 +341,7 @@ fn first_crossing(points: &[Point], segments: &[[usize; 2]]) -> Option<[usize; 2
     None
 }
 
-/// Whether two segments share a point beyond a common vertex.
+/// True if two segments share a point beyond a common vertex.
 fn meet(points: &[Point], [a, b]: [usize; 2], [c, d]: [usize; 2]) -> bool {
     let shared = [a, b]
         .into_iter()

@@ -31,7 +31,7 @@ impl<const D: usize> Bounds<D> {
         bounds
     }
 
-    /// Whether two boxes share a point.
+    /// True if two boxes share a point.
     #[must_use]
     pub fn overlaps(&self, other: &Self) -> bool {
         (0..D).all(|axis| {

@@ -57,7 +57,7 @@ pub trait Elements<const D: usize, const T: usize>: Sync {
         velocity
     }
 
-    /// How this slave and a master lie in each other, in words; nothing where they are apart or touch. In space only
+    /// Overlap of this slave and a master, in words; nothing where they are apart or touch. In space only
     /// faces that face each other are compared, by their gap.
     fn lies_in(&self, _master: &Self) -> Option<String> {
         None

@@ -5,7 +5,7 @@ use super::PointIn;
 use super::weights::VertexWeights;
 use nalgebra::SMatrix;
 
-/// What of the motion around a node is carried to a vertex.
+/// Part of the motion around a node that is carried to a vertex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FollowMode {
     /// Velocities of the nodes through the weights of a particle, which are not augmented: for comparison. Empty nodes

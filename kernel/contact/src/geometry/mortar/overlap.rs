@@ -5,7 +5,7 @@ use super::broad::NearElements;
 use super::{Point, cross};
 use std::fmt;
 
-/// How two boundaries lie in each other. Segments are counted from 0 through all polylines of a boundary.
+/// Overlap of two boundaries. Segments are counted from 0 through all polylines of a boundary.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BoundaryOverlap {
     /// A segment of the slave crosses one of the master.
@@ -62,7 +62,7 @@ pub fn overlap(slave: &Boundary, master: &Boundary) -> Option<BoundaryOverlap> {
         .or_else(|| within(master, slave).map(BoundaryOverlap::MasterInside))
 }
 
-/// Whether a point lies on a boundary but for round-off.
+/// True if a point lies on a boundary but for round-off.
 fn touches(x: &Point, boundary: &Boundary) -> bool {
     let round_off = 1.0e-9 * boundary.longest_segment();
     (0..boundary.segments().len()).any(|s| {
@@ -75,7 +75,7 @@ fn touches(x: &Point, boundary: &Boundary) -> bool {
     })
 }
 
-/// Whether a point lies in the material that the closed polylines of a boundary enclose (even-odd rule).
+/// True if a point lies in the material that the closed polylines of a boundary enclose (even-odd rule).
 fn inside(x: &Point, boundary: &Boundary) -> bool {
     let mut crossings = 0;
     for (s, ends) in boundary.segments().iter().enumerate() {

@@ -7,14 +7,14 @@ use super::{Point, PointIn, cross};
 use proctor_geometry::team::Team;
 use std::array;
 
-/// How a pair behaves.
+/// Behaviour of a pair.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PairLaw {
     /// Pressure against gap.
     pub normal: NormalLaw,
     /// Friction; `None` for smooth surfaces.
     pub friction: Option<Friction>,
-    /// How contact is found.
+    /// Detection of contact.
     pub detection: Detection,
     /// Where the master is looked for.
     pub search: MasterSearch,
@@ -46,7 +46,7 @@ pub struct VertexContact<const D: usize, const T: usize> {
     pub closing: f64,
 }
 
-/// What contact does to a pair in one step. In the plane all is per metre of thickness: forces in N/m, and so on.
+/// Forces of contact on a pair in one step. In the plane all is per metre of thickness: forces in N/m, and so on.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PairForces<const D: usize, const T: usize> {
     /// Force on each vertex of the slave \[N\].
@@ -105,7 +105,7 @@ pub struct PairSurfaces<'a, B, const D: usize> {
     pub slave_velocity: &'a [PointIn<D>],
     /// Velocity of the master's vertices.
     pub master_velocity: &'a [PointIn<D>],
-    /// What may come until forces act again; `None` to look at what is there alone.
+    /// The motion until forces act again; `None` to look at the present state alone.
     pub ahead: Option<StepAhead<'a, D>>,
 }
 
@@ -113,7 +113,7 @@ pub struct PairSurfaces<'a, B, const D: usize> {
 /// surfaces deep in each other that no force has stopped, and one kick over half of it would throw them apart.
 #[derive(Clone, Copy, Debug)]
 pub struct StepAhead<'a, const D: usize> {
-    /// How long it is \[s\].
+    /// Its length \[s\].
     pub time: f64,
     /// By how much the velocity of the slave's vertices changes at its beginning where nothing touches them \[m/s\].
     pub slave_kick: &'a [PointIn<D>],
@@ -160,7 +160,7 @@ impl<const D: usize> SiteSums<D> {
     }
 }
 
-/// What is needed to find the forces of a pair; kept from step to step for its memory alone.
+/// Work arrays for the forces of a pair; kept from step to step for its memory alone.
 #[derive(Clone, Debug, Default)]
 pub struct Workspace<const D: usize> {
     found: MortarPoints<D>,

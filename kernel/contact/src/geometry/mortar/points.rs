@@ -9,7 +9,7 @@ use super::elements::Elements;
 use super::space::projection::CoveredPart;
 use proctor_geometry::team::Team;
 
-/// How contact is found along the slave.
+/// Detection of contact along the slave.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Detection {
     /// Integrals over the parts of elements that face each other.
@@ -29,13 +29,13 @@ pub struct MasterSearch {
 }
 
 impl MasterSearch {
-    /// Whether a gap lies within the search.
+    /// True if a gap lies within the search.
     #[must_use]
     pub fn contains(&self, gap: f64) -> bool {
         (-self.depth..=self.reach).contains(&gap)
     }
 
-    /// How far from the slave a master can be seen \[m\].
+    /// Largest distance from the slave at which a master is found \[m\].
     #[must_use]
     pub fn margin(&self) -> f64 {
         self.reach.max(self.depth)
@@ -85,7 +85,7 @@ fn interpolate<const D: usize>(on: &[(usize, f64); D], values: &[PointIn<D>]) ->
 #[derive(Clone, Debug, Default)]
 pub struct MortarPoints<const D: usize> {
     near: NearElements<D>,
-    /// What threads found, each at a time, along the slave.
+    /// Results of threads, each at a time, along the slave.
     shares: Vec<SlaveShare<D>>,
 }
 
@@ -98,10 +98,10 @@ struct SlaveShare<const D: usize> {
     apart: Vec<PointDifferences<D>>,
 }
 
-/// How far master and slave are apart at a point, and similar differences.
+/// Distance of master and slave at a point, and similar differences.
 pub type PointDifferences<const D: usize> = [PointIn<D>; 4];
 
-/// What one element is cut into, while its points are found: memory alone.
+/// Pieces of one element, while its points are found: memory alone.
 #[derive(Clone, Debug, Default)]
 pub struct Cuts {
     /// Places along a segment.

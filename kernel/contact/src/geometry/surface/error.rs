@@ -6,18 +6,18 @@ use std::fmt;
 /// A surface cannot be used. Triangles are counted from 1, as in files.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SurfaceError {
-    /// What is wrong. By itself it says what was found, and with the error around it also what is accepted.
+    /// The fault. By itself it says what was found, and with the error around it also what is accepted.
     pub kind: SurfaceErrorKind,
 }
 
-/// What is wrong with a surface.
+/// Fault of a surface.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SurfaceErrorKind {
     /// There is no triangle.
     Empty,
     /// More triangles than can be numbered.
     TooMany {
-        /// How many.
+        /// Their number.
         triangles: usize,
     },
     /// A coordinate that is not a finite number.
@@ -50,7 +50,7 @@ pub enum SurfaceErrorKind {
     },
     /// Edges of one triangle only where a closed surface is asked for.
     Open {
-        /// How many.
+        /// Their number.
         edges: usize,
         /// The triangle with the first of them.
         triangle: usize,
@@ -60,7 +60,7 @@ pub enum SurfaceErrorKind {
 }
 
 impl SurfaceErrorKind {
-    /// What would be accepted in the place of what was found.
+    /// The values that are accepted instead.
     #[must_use]
     pub fn accepted(&self) -> &'static str {
         match self {

@@ -30,11 +30,11 @@ pub struct Surface {
     normals: Vec<Point>,
     /// Unit pseudo-normal of the three edges of each triangle; edge i runs from corner i to corner i + 1.
     edge_normals: Vec<[Point; 3]>,
-    /// Whether the edges belong to one triangle only.
+    /// True if the edges belong to one triangle only.
     edge_is_open: Vec<[bool; 3]>,
     /// Unit pseudo-normal of each vertex.
     vertex_normals: Vec<Point>,
-    /// Whether the vertex lies on an open edge.
+    /// True if the vertex lies on an open edge.
     vertex_is_open: Vec<bool>,
     open: Option<OpenEdges>,
     tree: Tree,
@@ -118,7 +118,7 @@ impl Surface {
         self.open.as_ref()
     }
 
-    /// Whether the surface encloses a body.
+    /// True if the surface encloses a body.
     ///
     /// # Errors
     /// Its open edges.

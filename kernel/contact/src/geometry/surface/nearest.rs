@@ -27,7 +27,7 @@ pub struct NearestPoint {
     /// Unit normal, the direction in which the distance grows fastest: of the triangle over its inside, else along
     /// the line to the point.
     pub normal: Point,
-    /// Whether the nearest point lies on an edge of one triangle only: the surface ends there, and the point lies
+    /// True if the nearest point lies on an edge of one triangle only: the surface ends there, and the point lies
     /// beside it rather than over it.
     pub on_rim: bool,
 }

@@ -12,7 +12,7 @@ const FLAT: f64 = 1e-6;
 /// Edges that belong to one triangle only.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OpenEdges {
-    /// How many there are.
+    /// Their number.
     pub count: usize,
     /// Triangle with the first of them, counted from 1 as in the file.
     pub triangle: usize,
@@ -20,7 +20,7 @@ pub struct OpenEdges {
     pub first: [Point; 2],
 }
 
-/// What the edges say.
+/// Topology by the edges.
 pub(super) struct Topology {
     pub vertices: Vec<Point>,
     pub triangles: Vec<[u32; 3]>,

@@ -104,7 +104,7 @@ impl ContactResult {
     }
 }
 
-/// What an impulse on the slave takes from the kinetic energy of both \[J\], by friction and along the normal: the impulse
+/// Energy that an impulse on the slave takes from both \[J\], by friction and along the normal: the impulse
 /// times the mean of their relative velocities before and after the step, with the sign turned.
 pub(super) fn taken(impulse: &Vector, normal: &Vector, [master, slave]: [&Member; 2]) -> [f64; 2] {
     let mean = |m: &Member, axis: usize| m.velocity[axis] - 0.5 * m.increment[axis];
@@ -114,7 +114,7 @@ pub(super) fn taken(impulse: &Vector, normal: &Vector, [master, slave]: [&Member
     [along - dot(impulse, &relative), -along]
 }
 
-/// What a pair does under an impulse.
+/// State of a pair under an impulse.
 pub(super) fn touched(impulse: &Vector, normal: &Vector, friction: f64) -> ContactStatus {
     let along: f64 = (0..3).map(|k| impulse[k] * normal[k]).sum();
     let aside: f64 = (0..3)

@@ -57,7 +57,7 @@ pub(super) struct NeighbourParticles<const D: usize> {
 /// Lists that are filled again in each step.
 #[derive(Clone, Debug, Default)]
 struct NeighbourLists<const D: usize> {
-    /// Whether each particle is near.
+    /// True if each particle is near.
     reaches: Vec<bool>,
     of_particles: Vec<HalfLineColumns<D>>,
     /// Moments of the hosts, and before them none, for nodes that are no host.
@@ -186,7 +186,7 @@ impl<const D: usize> NeighbourParticles<D> {
         self.masses.extend(self.particles.iter().map(|&p| all[p]));
     }
 
-    /// How many particles a thread takes at once.
+    /// Number of particles that a thread takes at once.
     fn share_of_thread(&self, team: &Team) -> usize {
         self.particles.len().div_ceil(team.count()).max(LEAST_SHARE)
     }
@@ -296,7 +296,7 @@ impl<const D: usize> NeighbourParticles<D> {
         })
     }
 
-    /// What was found at a node \[1/s\]; zero where no vertex hangs on it.
+    /// Result at a node \[1/s\]; zero where no vertex hangs on it.
     pub(super) fn gradient_at(&self, node: usize) -> SMatrix<f64, D, D> {
         match self.slots.get(node) {
             Some(&slot) if slot > 0 => self.gradients[slot as usize - 1],

@@ -6,7 +6,7 @@ use crate::mortar::stencil_reach::StencilReach;
 use proctor_kernel::grid::{GridShape, Line};
 use proctor_kernel::lanes::{Backend, Kernel, Lanes};
 
-/// What some particles take of the moments of the hosts that they reach.
+/// Share of particles in the moments of the hosts that they reach.
 pub(super) struct ParticleMoments<'a, const D: usize> {
     /// Particles and hosts.
     pub(super) around: &'a NeighbourParticles<D>,

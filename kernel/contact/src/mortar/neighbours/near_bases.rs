@@ -46,14 +46,14 @@ impl Bases {
         }
     }
 
-    /// Whether a node is one of them.
+    /// True if a node is one of them.
     #[inline(always)]
     pub(super) fn has(&self, node: usize) -> bool {
         self.is_one[node]
     }
 }
 
-/// Whether particles have one of some bases.
+/// True if particles have one of some bases.
 pub(super) struct NearBases<'a, const D: usize> {
     /// The first of the particles, as numbered in their set.
     pub(super) first: usize,

@@ -60,7 +60,7 @@ pub fn area([a, b, c]: &[PlanePoint; 3]) -> f64 {
     0.5 * cross(&(b - a), &(c - a))
 }
 
-/// What two counter-clockwise triangles have in common: the first cut along each edge of the second in turn
+/// Intersection of two counter-clockwise triangles: the first cut along each edge of the second in turn
 /// (Sutherland and Hodgman 1974).
 #[must_use]
 pub fn overlap(subject: &[PlanePoint; 3], clip: &[PlanePoint; 3]) -> Polygon {

@@ -13,7 +13,7 @@ use std::fmt;
 /// Share of the size of a boundary within which a vertex lies in a plane.
 const IN_PLANE: f64 = 1.0e-9;
 
-/// What is wrong with triangles as the boundary of a body.
+/// Fault of triangles as the boundary of a body.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FacetsError {
     /// They are no surface.
@@ -267,7 +267,7 @@ impl Facets {
             .collect()
     }
 
-    /// Whether the second of two neighbours turns away behind the first.
+    /// True if the second of two neighbours turns away behind the first.
     fn convex(&self, triangles: [usize; 2]) -> bool {
         let [a, b] = triangles.map(|t| {
             let corners = self.triangles[t].iter().map(|v| self.points[*v]);

@@ -6,7 +6,7 @@
 //!   slave triangle;
 //! - [`ridges`]: sharp edges that meet, which contact between faces does not see.
 //!
-//! What differs from the plane: the slave is projected triangle by triangle along its own normal onto an auxiliary
+//! Differences from the plane: the slave is projected triangle by triangle along its own normal onto an auxiliary
 //! plane (Puso and Laursen 2004), since a projection along interpolated normals has no closed form in space; the slip
 //! has two components, along tangents that turn with the surface.
 

@@ -91,7 +91,7 @@ impl ProjectedTriangle {
         array::from_fn(|k| (self.vertices[k], shares[k]))
     }
 
-    /// Whether the triangle is in front of a gap at a point of the plane.
+    /// True if the triangle is in front of a gap at a point of the plane.
     fn hides(&self, p: &PlanePoint, gap: f64, search: MasterSearch) -> bool {
         let (shares, own) = self.at(p);
         shares.iter().all(|s| *s > 0.0) && search.contains(own) && own.abs() < gap.abs()

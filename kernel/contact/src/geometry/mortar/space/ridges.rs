@@ -87,7 +87,7 @@ fn cross(slave: &Facets, s: &Ridge, master: &Facets, m: &Ridge) -> Option<Crossi
     })
 }
 
-/// Whether a unit vector at right angles to an edge lies between the normals beside it, clear of both.
+/// True if a unit vector at right angles to an edge lies between the normals beside it, clear of both.
 fn between(n: &Point, first: &Point, second: &Point) -> bool {
     let axis = first.cross(second);
     let turn = axis.norm();
