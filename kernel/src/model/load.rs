@@ -21,6 +21,19 @@ impl History {
             _ => None,
         }
     }
+
+    /// True where all values are zero.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        self.values.iter().all(|value| *value == [0.0; 3])
+    }
+
+    /// True where values change at a time or after it.
+    #[must_use]
+    pub fn changes_from(&self, time: f64) -> bool {
+        let last = self.times.last();
+        self.constant().is_none() && last.is_some_and(|last| time <= *last)
+    }
 }
 
 impl From<Vector> for History {

@@ -285,6 +285,8 @@ pub struct BalanceTraits {
     pub dissipates: bool,
     /// True if it gives energy where it is too stiff or meets too fast for the step.
     pub may_be_stiff: bool,
+    /// True if a part of it moves as prescribed.
+    pub moves: bool,
 }
 
 impl BalanceTraits {
@@ -295,6 +297,7 @@ impl BalanceTraits {
             moves_damping: self.moves_damping || other.moves_damping,
             dissipates: self.dissipates || other.dissipates,
             may_be_stiff: self.may_be_stiff || other.may_be_stiff,
+            moves: self.moves || other.moves,
         }
     }
 }

@@ -1,12 +1,12 @@
-//! Warnings about the results of a run that went on to its end: energy that no channel explains, and deformations
-//! that a law or the particle domains do not bear.
+//! Warnings about the results of a run that went on to its end: energy that no channel explains, deformations that a law or
+//! the particle domains do not bear, and motion that damping has left.
 //!
 //! The scale of the energy balance is the largest energy that there was to turn over: what the start and the work done have
 //! given at most, or what moves and is strained now. A negative remainder is energy from nowhere, which no transfer explains.
 //! A positive one is dissipation, which affine transfers, a share of PIC, USL, friction of some contacts and planes that stop
 //! what hits them explain; nothing explains more of it than there was.
 
-use super::Cycle;
+use super::{Cycle, ResidualMotion};
 use crate::laws::StrainRange;
 use crate::model::{Damping, StressScheme, Transfer, TransferKind, Weighting};
 use crate::simulation::values::{Energy, Extremes, MOST_LOST_SPIN, MOST_STRETCH_RATIO, ROUND_OFF};
@@ -62,6 +62,8 @@ pub enum ResultWarning {
         /// Share of that of the start.
         lost: f64,
     },
+    /// Damped bodies that are not at rest.
+    Motion(ResidualMotion),
 }
 
 impl ResultWarning {
@@ -74,6 +76,7 @@ impl ResultWarning {
             Self::Traction { .. } => "traction",
             Self::Stretch { .. } => "stretch",
             Self::Spin { .. } => "spin",
+            Self::Motion(_) => "motion",
         }
     }
 
@@ -97,6 +100,7 @@ impl ResultWarning {
             Self::Traction { share, .. } => *share,
             Self::Stretch { ratio, .. } => *ratio,
             Self::Spin { lost } => *lost,
+            Self::Motion(motion) => motion.share,
         }
     }
 }
@@ -148,6 +152,7 @@ impl fmt::Display for ResultWarning {
                  than they carry, and spin of bodies few cells across becomes noise; \"APIC\" keeps it",
                 100.0 * lost
             ),
+            Self::Motion(motion) => motion.fmt(f),
             Self::Stretch {
                 ratio,
                 share,
@@ -194,6 +199,7 @@ impl Cycle {
         if let Some(lost) = self.lost_spin().filter(|lost| *lost > MOST_LOST_SPIN) {
             all.push(ResultWarning::Spin { lost });
         }
+        all.extend(self.residual_motion(energy).map(ResultWarning::Motion));
         let left = self.tractions_left().into_iter();
         all.extend(left.map(|(index, share)| ResultWarning::Traction { index, share }));
         if extremes.stretched_share > MOST_STRETCHED {
@@ -206,13 +212,15 @@ impl Cycle {
         all
     }
 
-    /// True for an earlier reason that still holds: missing energy is little beside much that came later.
+    /// True for an earlier reason that still holds: missing energy is little beside much that came later, and motion that was left
+    /// may have come to rest.
     #[must_use]
     pub fn still_matters(&self, caution: &ResultWarning, energy: &Energy) -> bool {
         match caution {
             ResultWarning::Energy { remainder, .. } => {
                 remainder.abs() > MOST_REMAINDER * self.scale_of_energy(energy)
             }
+            ResultWarning::Motion(_) => false,
             _ => true,
         }
     }

@@ -104,8 +104,12 @@ fn hanging(load: f64, weighting: Weighting) -> Scene {
 
 #[test]
 fn domains_that_do_not_follow_a_large_stretch_are_told() {
-    let found =
-        |load: f64, weighting: Weighting| cautions(&mut until(&hanging(load, weighting), 0.6));
+    // The bars still swing, of which their runs tell as well.
+    let found = |load: f64, weighting: Weighting| {
+        let mut all = cautions(&mut until(&hanging(load, weighting), 0.6));
+        all.retain(|caution| !matches!(caution, ResultWarning::Motion(_)));
+        all
+    };
     let determinant = Weighting::ContiguousGimp(DomainUpdate::Determinant);
     for (weighting, words) in [
         (determinant, "\"domain_update\": \"stretch\""),
@@ -155,4 +159,46 @@ fn lost_spin_is_a_reason_for_caution() {
     assert!((0.05..1.5).contains(&lost), "{lost}");
     assert_eq!(spun(APIC, PlaneCondition::Free), None);
     assert_eq!(spun(FLIP, PlaneCondition::Sliding), None);
+}
+
+/// A damped bar that is let go swings for a while. Its run tells so until it rests, whatever takes the motion out of it.
+#[test]
+fn damped_bodies_that_still_move_are_told() {
+    let motion = |scene: &Scene, time: f64| {
+        let all = cautions(&mut until(scene, time)).into_iter();
+        let mut all = all.filter(|caution| matches!(caution, ResultWarning::Motion(_)));
+        all.next().map(|caution| caution.to_string())
+    };
+    let mut scene = hanging(0.01, Weighting::UniformGimp);
+    for (damping, rest) in [
+        (Damping::Local { alpha: 0.3 }, 4.0),
+        (Damping::Viscous { alpha: 0.1 }, 6.0),
+    ] {
+        (scene.scheme, scene.damping) = (StressScheme::Usl, damping);
+        let told = motion(&scene, 0.25).unwrap_or_else(|| panic!("{damping:?}"));
+        assert!(
+            told.contains("not at rest") && !told.contains("USL"),
+            "{told}"
+        );
+        assert_eq!(motion(&scene, rest), None, "{damping:?}");
+    }
+    (scene.scheme, scene.damping) = (StressScheme::Musl, Damping::Local { alpha: 0.3 });
+    let told = motion(&scene, 0.25).expect("it moves");
+    assert!(told.contains("USL"), "{told}");
+    // Kinetic damping has taken the motion of the first mode at its first peak.
+    (scene.scheme, scene.damping) = (StressScheme::Usl, Damping::Kinetic);
+    assert_eq!(motion(&scene, 6.0), None);
+    // No rest is due.
+    (scene.scheme, scene.damping) = (StressScheme::Musl, Damping::Local { alpha: 0.3 });
+    let mut free = scene.clone();
+    free.damping = Damping::None;
+    assert_eq!(motion(&free, 0.25), None, "nothing takes the motion away");
+    let mut driven = scene.clone();
+    driven
+        .bodies
+        .push(body(2, cuboid([0.0, 0.2, 0.0], [0.2, 0.4, 0.0])));
+    driven.bodies[1].motion = Some([0.01, 0.0, 0.0].into());
+    assert_eq!(motion(&driven, 0.25), None, "a body is driven on");
+    driven.bodies[1].motion = Some([0.0; 3].into());
+    assert!(motion(&driven, 0.25).is_some(), "a driven body stands");
 }

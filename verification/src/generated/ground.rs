@@ -23,7 +23,7 @@ pub static WALLS: Question = Question {
     holds: "ground between smooth walls that are driven bodies carries the weight above each row, with each normal",
     because: "2 % of the stress at the base, and what half a cell less a particle weighs; two cells at the surface and the base are left out, and as \
               many as the ground is wide where the walls begin a cell above its base, so that its foot bulges",
-    foreseen: &[],
+    foreseen: &["stands between driven bodies"],
     make: walls,
 };
 

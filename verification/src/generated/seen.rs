@@ -39,6 +39,8 @@ pub struct Seen {
     pub steps: u64,
     /// Time of the end \[s\].
     pub time: f64,
+    /// Kinds of cautions at the end of a run to rest, as words.
+    pub cautions: Vec<&'static str>,
 }
 
 impl Seen {
@@ -71,6 +73,7 @@ impl Seen {
             particles,
             steps: 0,
             time: 0.0,
+            cautions: vec![],
         }
     }
 

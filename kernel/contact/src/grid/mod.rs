@@ -296,6 +296,7 @@ impl Interaction for GridContact {
             moves_damping: any,
             dissipates: false,
             may_be_stiff: any,
+            moves: false,
         }
     }
 

@@ -41,6 +41,8 @@ impl Interaction for MortarState {
             moves_damping: false,
             dissipates: any,
             may_be_stiff: any,
+            moves: self.plane.surfaces.iter().any(MovingBoundary::moves)
+                || self.space.surfaces.iter().any(MovingBoundary::moves),
         }
     }
 

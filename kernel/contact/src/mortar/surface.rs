@@ -95,6 +95,14 @@ impl<B, const D: usize, const N: usize> MovingBoundary<B, D, N> {
         }
     }
 
+    /// True where a motion is prescribed that is not rest.
+    pub(super) fn moves(&self) -> bool {
+        match &self.carrier {
+            BoundaryCarrier::Prescribed(Some(motion)) => !motion.is_zero(),
+            BoundaryCarrier::Prescribed(None) | BoundaryCarrier::Body { .. } => false,
+        }
+    }
+
     /// Moves the vertices by what they move in this step, relative to a mesh that moves too \[m\].
     pub(super) fn advance<const T: usize>(&mut self, mesh_shift: &Vector)
     where

@@ -138,6 +138,7 @@ impl Interaction for SurfaceContact {
             moves_damping: any,
             dissipates: any,
             may_be_stiff: false,
+            moves: self.surfaces().any(RigidSurface::moves),
         }
     }
 

@@ -22,3 +22,12 @@ pub struct RigidSurface {
     /// Prescribed velocity \[m/s\], a translation; `None` where the surface stands.
     pub motion: Option<History>,
 }
+
+impl RigidSurface {
+    /// True where a motion is prescribed that is not rest.
+    #[must_use]
+    pub fn moves(&self) -> bool {
+        let motion = self.motion.as_ref();
+        motion.is_some_and(|motion| !motion.is_zero())
+    }
+}

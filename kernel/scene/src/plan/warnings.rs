@@ -5,6 +5,7 @@ use proctor_contact::MortarContact;
 use proctor_kernel::model::{Damping, StressScheme, Transfer, TransferKind, VolumetricStrain};
 
 mod beside;
+mod between;
 mod layer;
 mod light;
 mod places;
@@ -36,6 +37,7 @@ pub(super) fn warnings(scene: &Scene) -> Vec<String> {
     all.extend(light::on_lines(scene));
     all.extend(light::at_sides(scene));
     all.extend(light::swings(scene));
+    all.extend(between::at_nodes(scene));
     all.extend(strain::large_strain(scene));
     all.extend(super::tension::warnings(scene));
     for material in &scene.materials {

@@ -33,7 +33,7 @@ impl fmt::Display for Tension {
             f,
             "{} is in tension, {:.4e} Pa, and FLIP with {scheme} does not hold that: particles go a way that no strain sees, \
              which grows by {:.2} % per step, and a smaller step only delays it; {:.1} % of the energy is in such motion, \
-             {:.1} % came from nowhere; accepted: the scheme \"USL\", or the transfer \"APIC\" or \"TPIC\"",
+             {:.1} % came from nowhere; accepted: the scheme \"USL\" or the transfer \"APIC\"",
             self.particle,
             self.stress,
             100.0 * self.growth,

@@ -92,6 +92,13 @@ impl Rest<'_> {
         (to_plane > cell || !scene.plane_acts(axis, side)) && !scene.bodies.iter().any(meets)
     }
 
+    /// True where a driven body that stands still lies at the opposite face as well.
+    pub fn is_between_driven(&self, scene: &Scene) -> bool {
+        let opposite = [self.axis, 1 - self.side];
+        self.on == Support::Driven
+            && support(scene, self.body, &self.bounds, opposite) == Some(Support::Driven)
+    }
+
     /// Axes along the face.
     pub fn along(&self, scene: &Scene) -> impl Iterator<Item = usize> {
         let normal = self.axis;

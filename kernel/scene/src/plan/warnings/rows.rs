@@ -1,7 +1,7 @@
 //! Rows of particles with B-splines that are no whole number in a cell: what they carry of one pressure.
 
 use super::places::name;
-use super::resting::{Rest, all};
+use super::resting::{Rest, Support, all};
 use crate::values::Scene;
 use nalgebra::{DMatrix, DVector};
 use proctor_kernel::model::Weighting;
@@ -36,7 +36,7 @@ pub(super) fn uneven(scene: &Scene) -> Vec<String> {
         let rows = (length.min(MOST) / spacing).round() as usize;
         let beyond = rest.beyond(scene, axis, rest.side);
         let face = if beyond > 0.0 { 1.0 - beyond } else { 0.0 };
-        let shares = shares(face, spacing, rows)?;
+        let shares = shares(face, spacing, rows, rest.on)?;
         let felt = rows as f64 * spacing - 2.0 * spacing - FELT;
         let (mut least, mut most, mut is_off) = (1.0_f64, 1.0_f64, false);
         for (row, share) in shares.iter().enumerate() {
@@ -63,7 +63,10 @@ pub(super) fn uneven(scene: &Scene) -> Vec<String> {
 /// Stress of each row over the pressure, from the support on: a column of rows that are pressed by forces on the two rows at its
 /// other end, at rest. `face` is where it rests, in cells above a line of the mesh, `spacing` the distance of the rows in cells.
 /// `None` where no rest is found.
-fn shares(face: f64, spacing: f64, rows: usize) -> Option<Vec<f64>> {
+///
+/// A driven body pushes no node away from itself: a weight below zero, which the third node of a face may have, counts as none there. Rows
+/// near the face then carry up to 2.2 % less (spacing 0.4624, face at 0.368: 0.9781 of the pressure, in runs as well).
+fn shares(face: f64, spacing: f64, rows: usize, on: Support) -> Option<Vec<f64>> {
     if rows < 2 {
         return None;
     }
@@ -94,7 +97,12 @@ fn shares(face: f64, spacing: f64, rows: usize) -> Option<Vec<f64>> {
     // The first row touches the support, with the weights that contact has there.
     let xi = BEHIND + face + 0.5 * spacing;
     let base = base_node(xi, 3);
-    let touching = spline_touching(xi - base, 0.5 * spacing, -0.5 * spacing);
+    let mut touching = spline_touching(xi - base, 0.5 * spacing, -0.5 * spacing);
+    if on == Support::Driven {
+        touching = touching.map(|w| w.max(0.0));
+        let sum: f64 = touching.iter().sum();
+        touching = touching.map(|w| w / sum);
+    }
     for (n, w) in touching.iter().enumerate() {
         let node = base as usize + n;
         equations[(node, nodes)] += w;
