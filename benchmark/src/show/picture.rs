@@ -69,9 +69,11 @@ impl Shade {
 #[must_use]
 pub fn svg(detail: &StabilityDetail) -> String {
     let transfers = words(&detail.cells, |cell| &cell.transfer);
-    let weightings = words(&detail.cells, |cell| &cell.weighting);
-    let panel = HEADING + ROW * weightings.len() as f64;
-    let height = TITLE + panel * transfers.len() as f64 + LEGEND;
+    let panels: Vec<(&str, Vec<&str>)> = { transfers.into_iter() }
+        .map(|transfer| (transfer, weightings_of(detail, transfer)))
+        .collect();
+    let rows: usize = panels.iter().map(|(_, weightings)| weightings.len()).sum();
+    let height = TITLE + HEADING * panels.len() as f64 + ROW * rows as f64 + LEGEND;
     let mut text = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"map\" viewBox=\"0 0 {WIDTH} {height}\" role=\"img\" \
          aria-label=\"{}\" font-family=\"system-ui, 'Liberation Sans', sans-serif\" font-size=\"{TEXT}\">\n\
@@ -101,13 +103,24 @@ pub fn svg(detail: &StabilityDetail) -> String {
         format!("{failed} of {} gates fail", detail.gates.len())
     };
     label(&mut text, [8.0, 78.0], &verdict, "font-weight=\"600\"");
-    for (number, transfer) in transfers.iter().enumerate() {
-        let top = TITLE + panel * number as f64;
-        draw_panel(&mut text, detail, transfer, &weightings, top);
+    let mut top = TITLE;
+    for (transfer, weightings) in &panels {
+        draw_panel(&mut text, detail, transfer, weightings, top);
+        top += HEADING + ROW * weightings.len() as f64;
     }
     legend(&mut text, height - LEGEND + 40.0);
     text.push_str("</svg>\n");
     text
+}
+
+/// Weighting functions that have a cell with a transfer, in the order of the map.
+fn weightings_of<'a>(detail: &'a StabilityDetail, transfer: &str) -> Vec<&'a str> {
+    let mut weightings = words(&detail.cells, |cell| &cell.weighting);
+    weightings.retain(|weighting| {
+        let mut of = detail.cells.iter();
+        of.any(|cell| cell.transfer == transfer && cell.weighting == *weighting)
+    });
+    weightings
 }
 
 /// What can be seen, in words.

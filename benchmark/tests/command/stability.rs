@@ -67,6 +67,9 @@ fn a_row_leaves_its_limits_and_gates_in_the_record() {
     assert_eq!(code(&page), 0, "{}", stderr(&page));
 }
 
+/// Cells of one scheme in two dimensions: three sizes of four weighting functions with three transfers, and of B-splines with MLS.
+const CELLS: usize = 3 * (4 * 3 + 1);
+
 #[test]
 fn the_picture_has_a_cell_for_each_method_and_size() {
     let desk = Desk::new();
@@ -79,21 +82,22 @@ fn the_picture_has_a_cell_for_each_method_and_size() {
     assert!(matches!(code(&output), 0 | 1), "{}", stderr(&output));
     let svg = std::fs::read_to_string(desk.path("pictures/stability.svg")).expect("a picture");
     // One of the picture and one of each cell.
-    assert_eq!(svg.matches("<title>").count(), 1 + 3 * 4 * 3);
-    assert_eq!(svg.matches("class=\"point\"").count(), 3 * 4 * 3);
+    assert_eq!(svg.matches("<title>").count(), 1 + CELLS);
+    assert_eq!(svg.matches("class=\"point\"").count(), CELLS);
     assert!(svg.contains("uGIMP MUSL FLIP, 2 per cell"));
     let text = stdout(&output);
     for word in [
         "FLIP, 2D",
         "APIC, 2D",
         "TPIC, 2D",
+        "MLS, 2D",
         "B-spline MUSL",
         "gates of stability",
     ] {
         assert!(text.contains(word), "{word}: {text}");
     }
     let cells = &record(&path)["details"]["stability"]["cells"];
-    assert_eq!(cells.as_array().expect("cells").len(), 36);
+    assert_eq!(cells.as_array().expect("cells").len(), CELLS);
 }
 
 #[test]

@@ -273,8 +273,8 @@ fn polynomials(dice: &mut Dice, axes: usize) -> [[f64; TERMS]; 3] {
 /// Puts a cut body under a pressure, and draws the friction: with it the bodies stick, and without it the motion is one that has
 /// no shear stress on the cut, since its first component is odd and the others are even across it.
 ///
-/// The frame shortens the bodies across the cut by more than the field stretches them there: distances between bodies are those
-/// of their particles, so that contact opens where pressed bodies are stretched, though a pressure is left.
+/// The frame shortens the bodies across the cut by more than the field stretches them there: where pressed bodies are stretched,
+/// errors of the displacement grow to the size of the field, perhaps because contact measures distances between particles.
 fn press(dice: &mut Dice, motion: &mut Motion, material: &mut Material, end: f64) -> f64 {
     let pressure = dice.between(5.0, 10.0) * SMALL * material.young;
     material.stress[..3].fill(-pressure);
