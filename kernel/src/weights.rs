@@ -227,7 +227,7 @@ fn closed<L: Lanes, const N: usize>(w_0: L, w_2: L, g_0: L, g_2: L) -> ([L; N], 
     (w, g)
 }
 
-/// What gradients of least squares have in the place of derivatives d/dxi of quadratic B-splines: weight times distance over
+/// Factors of gradients of least squares, in the place of derivatives d/dxi of quadratic B-splines: weight times distance over
 /// `D_p`, which is 1/4 in cells, at the nodes of an axis (Hu et al. 2018, eq. 18).
 #[inline(always)]
 pub fn least_squares_weights<L: Lanes, const N: usize>(f: L, w: &[L; N]) -> [L; N] {

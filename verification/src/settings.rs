@@ -59,7 +59,7 @@ impl Method {
         self.transfer.kind().word
     }
 
-    /// Whether weighting function and transfer go together.
+    /// True if weighting function and transfer go together.
     #[must_use]
     pub fn goes_together(self) -> bool {
         !self.transfer.kind().least_squares || self.weighting == Weighting::QuadraticBSpline

@@ -7,7 +7,7 @@ use crate::precision::findings::LEVELS;
 use crate::record::{Kind, Record, Row};
 use std::collections::BTreeMap;
 
-/// What the arena of a record found.
+/// Findings of the arena of a record.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Board {
     /// Solvers in the order of their calibration, this program's methods first.
@@ -26,7 +26,7 @@ pub struct Solver {
     pub name: String,
     /// Its method, where its configuration says it.
     pub method: String,
-    /// What its start costs.
+    /// Cost of its start.
     pub start: Start,
     /// Why it takes no part: its calibration failed.
     pub failed: Option<String>,
@@ -104,7 +104,7 @@ impl Board {
         (!is_empty).then_some(board)
     }
 
-    /// What a solver found on a case.
+    /// Findings of a solver on a case.
     #[must_use]
     pub fn cell(&self, case: &str, solver: &str) -> Option<&Cell> {
         self.cells.get(&(case.to_owned(), solver.to_owned()))

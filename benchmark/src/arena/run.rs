@@ -36,7 +36,7 @@ pub const METHODS: [&str; 3] = [
 /// A case that other solvers can run.
 pub type Problem = Study;
 
-/// What takes part.
+/// Solvers and cases that take part.
 pub struct Solvers {
     /// Calibrated solvers, this program's methods first.
     pub peers: Vec<Peer>,
@@ -188,7 +188,7 @@ pub fn run(problem: Problem, solvers: &[Peer], visit: &Visit<'_>, record: &mut R
 pub struct Start {
     /// Median of its free falls \[s\].
     pub seconds: f64,
-    /// How far these lie apart \[s\].
+    /// Their spread \[s\].
     pub spread: f64,
 }
 
@@ -219,7 +219,7 @@ impl Start {
         }
     }
 
-    /// A time without the start \[s\]: less than the spread cannot be told from nothing.
+    /// A time without the start \[s\]: no less than the spread, below which it is nothing.
     pub(super) fn left_of(self, seconds: f64) -> f64 {
         (seconds - self.seconds).max(self.spread)
     }

@@ -26,7 +26,7 @@ const PARTICLES: &str = "particles";
 const NS: &str = "cpu_ns_per_particle_step";
 const ERROR: &str = "error_l2_displacement";
 
-/// What a solver takes.
+/// Cost of a solver.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Speed {
     /// Name of the solver.
@@ -127,7 +127,7 @@ fn timed(peer: &Peer, particles: usize, visit: &Visit<'_>) -> Result<(f64, usize
     Ok((more * 1e9 / (count as f64 * steps), count, error))
 }
 
-/// What a record holds of the problem, in the order in which it was measured.
+/// Rows of the problem in a record, in the order in which they were measured.
 #[must_use]
 pub fn speeds(record: &Record) -> Vec<Speed> {
     let rows = record.rows.iter().filter(|row| row.name.starts_with(NAME));

@@ -122,7 +122,7 @@ impl PeerLine {
 const FALLS: f64 = 0.3;
 const NEAR: f64 = 0.05;
 
-/// What to say of a solver whose error on its finest mesh is large and does not fall with the cells.
+/// A hint for a solver whose error on its finest mesh is large and does not fall with the cells.
 #[must_use]
 pub fn stays(order: Option<f64>, error: f64) -> Option<&'static str> {
     (error > NEAR && order.is_some_and(|order| order < FALLS)).then_some(
@@ -178,7 +178,7 @@ pub fn run(
     run_as(study, peers, &visit)
 }
 
-/// How executables are run.
+/// Options of a run of executables.
 #[derive(Clone, Copy)]
 pub struct Visit<'a> {
     /// Path of refinement and repetitions.

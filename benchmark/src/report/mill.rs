@@ -4,6 +4,7 @@ use super::html::{Section, Table, escape, paragraph};
 use crate::show::histogram::{Bars, svg};
 use serde::Deserialize;
 use std::collections::BTreeMap;
+use std::fmt::Write as _;
 use std::path::Path;
 
 /// A result of `proctor verify mill --json FILE`.
@@ -95,14 +96,16 @@ pub fn section(result: &MillResult) -> Section {
             }
         })
         .collect();
-    body.push_str(&format!(
-        "<figure>\n{}\n<figcaption>{}</figcaption>\n</figure>\n",
+    // Writing to a string cannot fail.
+    let _ = writeln!(
+        body,
+        "<figure>\n{}\n<figcaption>{}</figcaption>\n</figure>",
         svg(&panels),
         escape(
             "Each bar counts problems by the order that their two finest meshes show, in steps of 0.1; the first and the last \
              bar hold all beyond. The line is the order that theory expects."
         )
-    ));
+    );
     let mut families: BTreeMap<&str, (usize, usize)> = BTreeMap::new();
     let mut table = Table::new(
         "Problems that miss a gate",

@@ -30,7 +30,7 @@ pub fn board(board: &Board, out: &mut dyn Write) -> io::Result<()> {
     failures(board, out)
 }
 
-/// Who took part.
+/// The solvers that took part.
 #[must_use]
 pub fn solvers(board: &Board) -> Table {
     let mut table = Table::new(["solver", "start", "done", "skip", "fail", "over ours"]);

@@ -42,7 +42,7 @@ fn count() -> usize {
     ((RANGE[1] - RANGE[0]) * PER_UNIT).round() as usize
 }
 
-/// How many orders lie in each bar.
+/// Number of orders in each bar.
 #[must_use]
 pub fn counts(orders: &[f64]) -> Vec<usize> {
     let mut counts = vec![0; count()];

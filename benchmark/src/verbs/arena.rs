@@ -29,7 +29,7 @@ use std::time::Duration;
 /// CONFIG names the `executables`, as for `bench`, and with `methods` the methods of this program that stand beside them. Each
 /// solver is calibrated by a free fall, then runs each case on finer and finer meshes. Times are those of the processors, without
 /// the start-up, which the free fall takes. A solver that ends with exit code 77 skips the case, or in the free fall all of them;
-/// every other failure is told with its reason, and the rest goes on.
+/// every other failure has a row with its reason, and the rest goes on.
 #[derive(Args)]
 #[command(
     after_help = "Example: proctor arena fixtures/guests/arena.json --quick --svg arena.svg --json arena.json\n\
@@ -138,7 +138,7 @@ impl Arena {
         })
     }
 
-    /// The open cases that were asked for.
+    /// The open cases of the request.
     fn problems(&self) -> Result<Vec<arena::Problem>, Failure> {
         let studies = names::studies(&self.cases)?;
         let (open, closed) = arena::open(studies);
@@ -147,7 +147,7 @@ impl Arena {
                 let names: Vec<&str> = arena::open(study::all())
                     .0
                     .iter()
-                    .map(|s| s.name())
+                    .map(proctor_verification::study::Study::name)
                     .collect();
                 Err(Failure::BadInput(format!(
                     "{name}: not for other solvers: {reason}; accepted: {}",

@@ -18,7 +18,7 @@ const ENERGY: f64 = 0.02;
 /// Accepted part by which a wave may be faster than the law says.
 const WAVE_SPEED: f64 = 1e-3;
 
-/// What every law must hold.
+/// Properties that every law must hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LawProperty {
     /// The bits of its results are the same on all lanes.

@@ -29,7 +29,7 @@ pub struct Mapping {
     pub half_length: [f64; 3],
     /// 1/4 over that half-length.
     quarter: [f64; 3],
-    /// Whether gradients are those of least squares: see [`TransferType`](crate::transfers::TransferType).
+    /// True for gradients of least squares: see [`TransferType`](crate::transfers::TransferType).
     least_squares: bool,
     /// Column of the half-lengths where each particle has its own.
     pub half_length_column: Option<usize>,

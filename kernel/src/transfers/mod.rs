@@ -14,7 +14,7 @@ pub struct TransferType {
     pub word: &'static str,
     /// The affine velocity that it carries.
     pub affine: Affine,
-    /// Whether gradients are those of a linear field that is fitted to the nodes by weighted least squares,
+    /// True where gradients are those of a linear field that is fitted to the nodes by weighted least squares,
     /// sum_I S_Ip v_I (x_I - x_p) `D_p^-1`, in the place of sum_I v_I grad S_Ip; forces likewise.
     pub least_squares: bool,
     /// Its usual share of PIC, 0 to 1.

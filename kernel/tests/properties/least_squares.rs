@@ -86,7 +86,7 @@ fn it_differs_from_tpic() {
     }
 }
 
-/// Thread counts and the other lanes are asked with all other methods; here a long run with particles that cross cells.
+/// A long run with particles that cross cells; `bits` has all thread counts and lanes.
 #[test]
 fn three_threads_have_the_bits_of_one() {
     for dimension in DIMENSIONS {

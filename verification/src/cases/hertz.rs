@@ -262,7 +262,7 @@ pub(super) fn compare(run: Run<'_>) -> Result<Found, Failure> {
         Quantity::of_zero(L2_LAYER, found.distance(|x| layer.pressure_at(x))),
         Quantity::of_zero(LAYER, layer.distance_from_hertz(&exact)),
     ];
-    if [HERTZ_VARIANT, PAPER_VARIANT].contains(&&*rung.variant) {
+    if [HERTZ_VARIANT, PAPER_VARIANT].contains(&rung.variant) {
         let stress = stress_on_axis(simulation, &exact);
         quantities.extend(stress.map(|error| Quantity::of_zero(STRESS, error)));
     }

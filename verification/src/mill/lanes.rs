@@ -53,12 +53,12 @@ impl<const N: usize> Lanes for Jet<N> {
     fn mantissa_and_exponent(self) -> (Self, Self) {
         let exponent = (self.value.to_bits() >> 52 & 0x7ff) as f64 - 1023.0;
         (
-            self * Self::constant((-exponent).exp2()),
+            self * Self::constant(libm::exp2(-exponent)),
             Self::constant(exponent),
         )
     }
     fn power_of_two(self) -> Self {
-        Self::constant(self.value.exp2())
+        Self::constant(libm::exp2(self.value))
     }
     #[inline(always)]
     fn lt(self, b: Self) -> bool {

@@ -131,7 +131,7 @@ fn margin<const D: usize>(state: &State<D>) -> f64 {
     let stress = Component::ALL.map(|c| state.stress[c]);
     let full = full::<D>(&stress).map(|row| row.map(|s| s.value));
     let mean = 0.5 * (full[0][0] + full[1][1]);
-    let radius = (0.5 * (full[0][0] - full[1][1])).hypot(full[0][1]);
+    let radius = libm::hypot(0.5 * (full[0][0] - full[1][1]), full[0][1]);
     1.0 - (full[2][2] - mean).abs() / radius
 }
 

@@ -49,7 +49,7 @@ pub struct Executable {
     pub timeout: Duration,
     /// What the times of its frames mean.
     pub time_label: TimeLabel,
-    /// Whether a run of each scene comes before the timed ones, in which it compiles its kernels.
+    /// True if a run of each scene comes before the timed ones, in which it compiles its kernels.
     pub warm_up: bool,
     /// Its method, in words for tables; none where its configuration does not say.
     pub method: Option<String>,

@@ -219,7 +219,7 @@ pub(super) struct RawSolver {
     pub timeout: Option<f64>,
     /// What the times of its frames mean. Default: the time of the particles.
     pub time_label: Option<String>,
-    /// Whether a run of each scene comes before the timed ones. Default: no.
+    /// True for a run of each scene before the timed ones. Default: false.
     pub warm_up: Option<bool>,
     /// Its method, in words for tables.
     pub method: Option<String>,

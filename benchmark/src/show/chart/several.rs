@@ -46,7 +46,7 @@ pub fn side_by_side(title: &str, charts: &[Chart], entries: &[Entry], columns: u
     for (entry, [x, y]) in entries.iter().zip(places) {
         legend::draw(&mut out, entry, EDGE + x, EDGE + 1.4 * TITLE + y);
     }
-    let _ = write!(out, "{body}</svg>\n");
+    let _ = writeln!(out, "{body}</svg>");
     out
 }
 

@@ -12,7 +12,7 @@ use crate::show::{number, percent, seconds};
 const MARKS: [Mark; 4] = [Mark::Circle, Mark::Square, Mark::Triangle, Mark::Diamond];
 /// Columns of the picture.
 const COLUMNS: usize = 3;
-/// What the horizontal axis shows.
+/// The quantity of the horizontal axis.
 const TIME: &str = "CPU time of the process without its start-up";
 
 /// The picture as an SVG document.
@@ -28,7 +28,7 @@ pub fn arena_charts(board: &Board) -> Vec<Chart> {
     board.cases.iter().map(|case| chart(board, case)).collect()
 }
 
-/// What colours and marks mean; a solver that took no part has none.
+/// The legend of colours and marks; a solver that took no part has none.
 #[must_use]
 pub fn arena_legend(board: &Board) -> Vec<Entry> {
     let looks = board.solvers.iter().zip(looks(board));

@@ -15,7 +15,7 @@ const FACTOR: f64 = 10.0;
 const LEAST: f64 = 1e-3;
 /// Growth per step with TPIC over that with FLIP, with GIMP and with B-splines.
 const TPIC_SHARE: [f64; 2] = [0.095, 0.125];
-/// What TPIC takes back per step.
+/// Damping of TPIC per step.
 ///
 /// `proctor stability` of the bar of 20 kPa, as MUSL TPIC with uGIMP: 0.20 % per step at a tension of 0.149 of the modulus, 0.53 % at
 /// 0.297, none at 0.074 or half the step; USF 0.20 and 0.55 %; cpGIMP 0.58 % and B-splines 1.21 % at 0.297.

@@ -50,7 +50,7 @@ impl Default for InitialState {
     }
 }
 
-/// How a scene is run, and what a program adds to it.
+/// Options of a run, and the conditions and interactions that a program adds to it.
 ///
 /// ```
 /// use proctor_scene::prelude::*;

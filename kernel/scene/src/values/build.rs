@@ -161,6 +161,8 @@ pub struct BodyEntry<'a> {
     body: &'a mut Body,
 }
 
+// A call changes the body in its scene; the value is there for the next call.
+#[allow(clippy::must_use_candidate)]
 impl BodyEntry<'_> {
     /// Gives it this velocity at the start \[m/s\]: two numbers in the plane, three in space.
     pub fn with_velocity<const D: usize>(self, velocity: [f64; D]) -> Self {

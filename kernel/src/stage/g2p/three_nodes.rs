@@ -247,7 +247,7 @@ impl FactorsOfGroup {
                 }
             }
             // Velocities are behind the mass, remapped ones where increments were.
-            let first = if UPPER { 0 } else { 1 };
+            let first = usize::from(!UPPER);
             for axis in 0..D {
                 if GRADIENT {
                     let of = Q::transpose(gradient[axis]);

@@ -70,7 +70,7 @@ const MASS_GRADIENT: u8 = 1;
 /// It carries the force of the mean stress instead of them.
 const MEAN_STRESS: u8 = 2;
 
-/// How the sums over the nodes are formed.
+/// Form of the sums over the nodes.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum SumForm {
     /// Row by row, with weights and derivatives along each axis.
@@ -336,7 +336,7 @@ impl OwnedNodes<'_> {
                     let lines = &scratch.lines;
                     match sums {
                         SumForm::Products => {
-                            add_products::<B, FULL>(products, lines, &below, nodes)
+                            add_products::<B, FULL>(products, lines, &below, nodes);
                         }
                         SumForm::Linear if FULL => add_linear::<B>(products, lines, &below, nodes),
                         _ => {

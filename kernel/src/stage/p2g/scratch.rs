@@ -18,7 +18,7 @@ pub(super) struct P2gSource<'a> {
     pub carry: Carry,
     /// Rate of viscous damping \[1/s\]; 0 for none.
     pub viscous_rate: f64,
-    /// How sums are formed.
+    /// Form of the sums.
     pub sums: SumForm,
     /// Factor of the stress.
     pub stress_factor: f64,

@@ -86,7 +86,7 @@ impl Scene {
         }
     }
 
-    /// What gradients of least squares are derived for.
+    /// Checks that gradients of least squares are derived for the rest of the method.
     fn check_least_squares(&self, problems: &mut Collector) {
         let transfer = self.transfer.kind.kind();
         if !transfer.least_squares {
