@@ -16,7 +16,7 @@ use serde_json::Value;
 use std::sync::atomic::Ordering;
 
 /// Label of the rows of a solver that skipped all or one case: the reason.
-pub(super) const SKIPPED: &str = "skipped";
+pub(super) const SKIPPED: &str = "skip_reason";
 /// First part of the names of the rows that say what an accuracy costs.
 pub(super) const ARENA: &str = "arena/";
 /// Label and counter of those rows.

@@ -155,6 +155,9 @@ fn each_guest_that_misbehaves_is_a_row_with_its_reason_and_the_rest_goes_on() {
             .get("smallest_error")
             .is_none()
     );
+    // The record of skips and failures is one that can be read.
+    let page = desk.name("a.html");
+    assert_eq!(code(&proctor(&["report", &json, "--out", &page])), 0);
 }
 
 #[test]
