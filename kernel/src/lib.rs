@@ -1,8 +1,8 @@
 //! The explicit MPM/GIMP cycle and what it needs.
 //!
 //! Flow: [`simulation::Model`] (settings, plan, bodies) and [`simulation::Start`] (particles, interactions) ->
-//! [`simulation::Cycle`] (state and explicit cycle) -> what can be asked of it, and [`simulation::Saved`], its state as one
-//! plain value.
+//! [`simulation::Cycle`] (state and explicit cycle). A cycle gives its results by queries, and its whole state as a
+//! [`simulation::Saved`].
 //!
 //! It knows no scene, no law of a material, no contact and no file. Laws, conditions and interactions come by the traits
 //! [`laws::Law`], [`simulation::Condition`] and [`simulation::Interaction`]; `proctor-laws`, `proctor-contact` and

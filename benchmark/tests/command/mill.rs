@@ -128,7 +128,7 @@ fn what_is_no_problem_is_refused_with_the_key() {
     }
 }
 
-/// A page shows the orders of a result, each once, and names what missed; what is no result is refused.
+/// A page shows each order of a result once and names the problems that missed. A file that is no result is refused.
 #[test]
 fn orders_stand_on_a_page() {
     let desk = Desk::new();

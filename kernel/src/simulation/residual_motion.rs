@@ -11,7 +11,7 @@ use crate::model::{Damping, History, StressScheme, TransferKind};
 use crate::simulation::values::Energy;
 use std::fmt;
 
-/// Least kinetic over strain energy that is told: stress is off by a hundredth in the mean.
+/// Least kinetic over strain energy of a caution: the mean stress is then off by a hundredth.
 const LEAST: f64 = 1e-4;
 /// The same where bodies touch at nodes with MUSL or USF. What is left of the motion stays there, and rows of particles at the face
 /// are off by more than a twentieth of the pressure from this share on.

@@ -8,8 +8,8 @@ use crate::lanes::Lanes;
 use crate::stage::{Block, Mapping, weights_of};
 use crate::weights::Family;
 
-/// Interpolates to one block, with `ON_NODES` from the nodes of [`Bases::before`](super::reach::Bases::before). Writes what is asked for
-/// from particle `to` of the values on, and leaves the rest.
+/// Interpolates to one block, with `ON_NODES` from the nodes of [`Bases::before`](super::reach::Bases::before). It writes
+/// the values of the chosen sums, from particle `to` on, and leaves the others.
 #[inline(always)]
 pub(super) fn interpolate<
     L: Lanes,
