@@ -27,6 +27,8 @@ pub enum PlaneCondition {
     /// Tangential velocity zero, normal free: what lies beyond moves as what lies inside, turned by half a turn, as in a
     /// long layer that shears.
     Antisymmetric,
+    /// Dashpots of the impedance of the ground: waves leave through it.
+    Absorbing,
 }
 
 impl PlaneCondition {
@@ -34,7 +36,7 @@ impl PlaneCondition {
     #[must_use]
     pub fn prescribes(self, along: usize, normal: usize) -> bool {
         match self {
-            Self::Free => false,
+            Self::Free | Self::Absorbing => false,
             Self::Sliding => along == normal,
             Self::Fixed => true,
             Self::Antisymmetric => along != normal,
@@ -55,6 +57,7 @@ impl PlaneCondition {
             Self::Sliding => "sliding",
             Self::Fixed => "fixed",
             Self::Antisymmetric => "antisymmetric",
+            Self::Absorbing => "absorbing",
         }
     }
 }

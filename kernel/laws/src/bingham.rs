@@ -99,6 +99,10 @@ impl Law for Bingham {
         (self.state.sound_squared(density) + 4.0 / 3.0 * self.shear() / density).sqrt()
     }
 
+    fn shear_wave_speed(&self, density: f64) -> f64 {
+        (self.shear() / density).sqrt()
+    }
+
     fn pressed(&self) -> Option<AnyLaw> {
         Some(PressurizedFluid(*self).into())
     }

@@ -82,6 +82,10 @@ impl Law for Newtonian {
         self.state.sound_squared(density).sqrt()
     }
 
+    fn shear_wave_speed(&self, _density: f64) -> f64 {
+        0.0
+    }
+
     /// 4 mu/3, of a wave along its own direction.
     fn viscosity(&self) -> f64 {
         4.0 / 3.0 * self.viscosity

@@ -49,6 +49,10 @@ impl<F: Law> Law for PressurizedFluid<F> {
         self.0.wave_speed(density)
     }
 
+    fn shear_wave_speed(&self, density: f64) -> f64 {
+        self.0.shear_wave_speed(density)
+    }
+
     fn viscosity(&self) -> f64 {
         self.0.viscosity()
     }

@@ -43,7 +43,7 @@ pub use proctor_contact::{
     MortarContact, RigidFacets, RigidLine, RigidSurface, SurfaceHandle, Vertices,
 };
 pub use proctor_kernel::model::{
-    BaseMotion, BoxLoad, Damping, Dimension, DomainUpdate, HeldBox, History, Mesh, Motion,
+    BaseMotion, BoxLoad, Damping, Dimension, DomainUpdate, GroundBeyond, HeldBox, History, Mesh, Motion,
     OnImbalance, Outside, ParticleSeed, PlaneCondition, PointLoad, Shape, StressScheme, TimeStep,
     Traction, Transfer, TransferKind, Vector, VolumetricStrain, Weighting,
 };

@@ -89,6 +89,12 @@ pub trait Law: fmt::Debug + PartialEq + Send + Sync + 'static {
     /// Speed of the fastest wave at rest \[m/s\] for an initial density \[kg/m³\]. The first time step depends on it.
     fn wave_speed(&self, density: f64) -> f64;
 
+    /// Speed of a wave of shear at rest \[m/s\] for an initial density \[kg/m³\], on which absorbing planes depend. It follows from
+    /// Young's modulus and the speed of the fastest wave where the law is isotropic; a fluid has none.
+    fn shear_wave_speed(&self, density: f64) -> f64 {
+        shear_wave_speed(self.young(), self.wave_speed(density), density)
+    }
+
     /// Longitudinal viscosity \[Pa s\], 4 mu/3, of a stress that follows the rate of deformation at once; the time step
     /// depends on it.
     fn viscosity(&self) -> f64 {
@@ -144,6 +150,15 @@ pub trait Law: fmt::Debug + PartialEq + Send + Sync + 'static {
     fn algorithmic(&self, _particle: &Particle<'_>) -> f64 {
         0.0
     }
+}
+
+/// Speed of a wave of shear \[m/s\] in an isotropic elastic solid, from Young's modulus \[Pa\], the speed of compression \[m/s\]
+/// and the density \[kg/m³\]: k = (lambda + 2 mu)/E gives Poisson's ratio, the positive root of k (1 + nu)(1 - 2 nu) = 1 - nu.
+fn shear_wave_speed(young: f64, compression: f64, density: f64) -> f64 {
+    let k = density * compression * compression / young;
+    let over = (k - 1.0).max(0.0);
+    let poisson = ((over * over + 8.0 * k * over).sqrt() - over) / (4.0 * k);
+    (young / (2.0 * (1.0 + poisson) * density)).sqrt()
 }
 
 /// Strains up to which a law without an energy may be taken for one with an energy, with the words of warnings beyond.

@@ -118,6 +118,8 @@ pub trait Strain: Any + fmt::Debug + Send + Sync {
     fn young(&self) -> f64;
     /// See [`Law::wave_speed`].
     fn wave_speed(&self, density: f64) -> f64;
+    /// See [`Law::shear_wave_speed`].
+    fn shear_wave_speed(&self, density: f64) -> f64;
     /// See [`Law::viscosity`].
     fn viscosity(&self) -> f64;
     /// See [`Law::initial_volume_ratio`].
@@ -178,6 +180,9 @@ impl<M: Law> Strain for M {
     }
     fn wave_speed(&self, density: f64) -> f64 {
         Law::wave_speed(self, density)
+    }
+    fn shear_wave_speed(&self, density: f64) -> f64 {
+        Law::shear_wave_speed(self, density)
     }
     fn viscosity(&self) -> f64 {
         Law::viscosity(self)

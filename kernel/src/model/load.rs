@@ -58,6 +58,16 @@ pub struct BaseMotion {
     pub motion: Motion,
 }
 
+/// The ground that goes on beyond the absorbing planes of the mesh.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct GroundBeyond {
+    /// The wave that comes in through one of them: its plane, and the motion of the ground in that wave alone, which is half of
+    /// that of an outcrop.
+    pub incoming: Option<BaseMotion>,
+    /// Thickness of the ground for which springs stand, beside the dashpots \[m\]; `None` without springs.
+    pub thickness: Option<f64>,
+}
+
 /// A prescribed motion.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Motion {

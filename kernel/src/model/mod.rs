@@ -6,7 +6,7 @@ mod load;
 mod method;
 mod settings;
 
-pub use load::{BaseMotion, BoxLoad, HeldBox, History, Motion, PointLoad, Traction};
+pub use load::{BaseMotion, BoxLoad, GroundBeyond, HeldBox, History, Motion, PointLoad, Traction};
 pub use method::{
     Damping, DomainUpdate, StressScheme, TimeStep, Transfer, TransferKind, VolumetricStrain,
     Weighting,

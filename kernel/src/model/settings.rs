@@ -1,8 +1,8 @@
 //! Settings of the cycle: mesh, method, loads and boundary conditions.
 
 use super::{
-    BaseMotion, BoxLoad, Damping, Dimension, HeldBox, Mesh, PlaneCondition, PointLoad,
-    StressScheme, TimeStep, Traction, Transfer, Vector, Weighting,
+    BaseMotion, BoxLoad, Damping, Dimension, GroundBeyond, HeldBox, Mesh, PlaneCondition,
+    PointLoad, StressScheme, TimeStep, Traction, Transfer, Vector, Weighting,
 };
 
 /// What happens to a particle that leaves the mesh.
@@ -44,6 +44,8 @@ pub struct CycleSettings {
     pub damping: Damping,
     /// Motion of one boundary plane, if any.
     pub base_motion: Option<BaseMotion>,
+    /// The ground beyond absorbing planes.
+    pub ground_beyond: GroundBeyond,
     /// Boxes in which nodes stand still.
     pub held_boxes: Vec<HeldBox>,
     /// Forces on nodes, constant in time.

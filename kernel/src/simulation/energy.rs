@@ -51,6 +51,7 @@ impl Cycle {
         ledger.damping += sums.damping;
         ledger.friction += sums.friction;
         ledger.impact += sums.impact;
+        ledger.absorbed += sums.absorbed;
     }
 
     /// The energy balance at the time of the positions. It costs about as much as a step, and changes nothing.
@@ -92,6 +93,7 @@ impl Cycle {
         let damping = ledger.damping + missing.sums.damping;
         let friction = ledger.friction + missing.sums.friction;
         let impact = ledger.impact + missing.sums.impact;
+        let absorbed = ledger.absorbed + missing.sums.absorbed;
         let plastic = self.plastic_work();
         Energy {
             kinetic,
@@ -103,9 +105,16 @@ impl Cycle {
             friction,
             impact,
             plastic,
+            absorbed,
             removed: ledger.removed,
             algorithmic: self.algorithmic_work(),
-            remainder: dissipated - damping - friction - impact - plastic - ledger.removed,
+            remainder: dissipated
+                - damping
+                - friction
+                - impact
+                - plastic
+                - ledger.removed
+                - absorbed,
         }
     }
 

@@ -36,7 +36,7 @@ mod work_state;
 
 pub use crate::grid::{GridShape, Line};
 pub use crate::stage::solve::{EmptyNode, PlaneSums, Planes};
-pub use conditions::{describe as describe_conditions, of as conditions};
+pub use conditions::{DashpotNode, describe as describe_conditions, of as conditions};
 pub use context::{
     Condition, FieldNodes, NodalConditions, Node, Remap, StepContext, VelocityMapping,
     at_half_step_after,
@@ -57,12 +57,12 @@ pub use result_warnings::{MOST_REMAINDER, ResultWarning};
 pub use start::Start;
 pub use step_view::{StepUpdate, StepView};
 pub use values::{
-    BodyEnergy, BodyHandle, BodyRun, Bound, Clock, Drift, Energy, EnergyLedger, Event, EventKind,
-    Extremes, Groups, InitialOverlap, InteractionError, InteractionFault, Invariant,
-    InvariantMonitor, LEAST_VOLUME_RATIO, MESH, MOST_GAIN, MOST_INCREMENT, MOST_LOST_MOMENTUM,
-    MOST_LOST_SPIN, MOST_STRETCH_RATIO, MOST_UNSEEN, MOST_VOLUME_RATIO, MassCenter, NodalForce,
-    ParticleAt, RestoreError, Saved, SavedArrays, SetupError, Spin, State, StepError,
-    StepErrorKind, StepInfo, Tension, TimeStepAboveCritical, Violation,
+    AbsorbingNode, BodyEnergy, BodyHandle, BodyRun, Bound, Clock, Drift, Energy, EnergyLedger,
+    Event, EventKind, Extremes, Groups, InitialOverlap, InteractionError, InteractionFault,
+    Invariant, InvariantMonitor, LEAST_VOLUME_RATIO, MESH, MOST_GAIN, MOST_INCREMENT,
+    MOST_LOST_MOMENTUM, MOST_LOST_SPIN, MOST_STRETCH_RATIO, MOST_UNSEEN, MOST_VOLUME_RATIO,
+    MassCenter, NodalForce, ParticleAt, RestoreError, Saved, SavedArrays, SetupError, Spin, State,
+    StepError, StepErrorKind, StepInfo, Tension, TimeStepAboveCritical, Violation,
 };
 
 pub use model::Model;

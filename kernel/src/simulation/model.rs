@@ -28,6 +28,8 @@ pub struct Model {
     pub has_own: bool,
     /// Velocity of the base, where one moves.
     pub base: Option<BaseVelocity>,
+    /// Velocity of the wave that comes in through an absorbing plane, where one does.
+    pub incoming: Option<BaseVelocity>,
     /// Body force as a function, where one is given.
     pub body_force: Option<BodyForce>,
 }

@@ -66,6 +66,7 @@ impl Cycle {
             simulation.state.invariants.volume_left = libm::log(MOST_VOLUME_RATIO);
         }
         simulation.propose().map_err(SetupError::UnstableTimeStep)?;
+        simulation.start_absorbing();
         let imbalance = simulation.initial_imbalance();
         simulation.model.plan.warnings.extend(imbalance);
         Ok(simulation)

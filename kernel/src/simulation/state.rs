@@ -52,6 +52,8 @@ impl Cycle {
         for (body, (set, was)) in own.sets.iter().zip(&was.sets).enumerate() {
             self.particles_fit(body, set, was)?;
         }
+        let nodes = "nodes of absorbing planes";
+        same(nodes, own.absorbing.len(), was.absorbing.len())?;
         let count = self.interactions().count();
         same("interactions", count, saved.interactions.len())?;
         for (interaction, was) in self.interactions().zip(&saved.interactions) {

@@ -88,6 +88,7 @@ impl Cycle {
         };
         let drift = self.drift(&mut info);
         self.move_boundaries(&conditions, &drift);
+        self.move_absorbing(&drift)?;
         match self.model.plan.scheme {
             StressScheme::Usl => self.g2p(Pass::All, &drift)?,
             StressScheme::Musl => {

@@ -4,7 +4,8 @@
 //! increment dv_I. Ghost nodes beyond a sliding plane mirror the body (normal component odd, tangential even),
 //! beyond a fixed plane all components are odd about the velocity of the plane, beyond an antisymmetric one the
 //! tangential components alone; what particles gave to a ghost
-//! node is folded onto its mirror node before the solve, and the ghost gets the mirrored velocity after it.
+//! node is folded onto its mirror node before the solve, and the ghost gets the mirrored velocity after it. Beyond an
+//! absorbing plane the motion goes on linearly, and what a ghost was given is folded by the transpose of that.
 
 mod damped;
 mod remapped;
@@ -22,6 +23,9 @@ pub struct Wall {
     pub side: usize,
     /// Axes along which it prescribes the velocity.
     pub prescribed: [bool; 3],
+    /// True where the motion goes on linearly beyond it: a ghost has twice the velocity of the plane less that of its mirror
+    /// node, and gives the plane twice its mass, momentum and force, the mirror node that much less.
+    pub extrapolates: bool,
     /// Velocity of the plane half a step before \[m/s\].
     pub before: [f64; 3],
     /// Velocity of the plane half a step after \[m/s\].
@@ -106,6 +110,8 @@ pub struct PlaneSums {
     pub friction: f64,
     /// What contact took along its normal, where bodies met \[J\].
     pub impact: f64,
+    /// What left through absorbing planes over the kick \[J\].
+    pub absorbed: f64,
 }
 
 impl AddAssign<&Self> for PlaneSums {
@@ -116,6 +122,7 @@ impl AddAssign<&Self> for PlaneSums {
         self.damping += other.damping;
         self.friction += other.friction;
         self.impact += other.impact;
+        self.absorbed += other.absorbed;
     }
 }
 
@@ -157,6 +164,10 @@ impl Planes<'_> {
     pub fn fold(&mut self, walls: &[Wall], lower: bool, upper: bool) {
         for wall in walls {
             let (ghost, _, mirror) = wall.layers(self.shape);
+            if wall.extrapolates {
+                self.fold_linearly(wall, if lower { 0 } else { 4 }..if upper { 7 } else { 4 });
+                continue;
+            }
             self.for_pairs(wall.axis, ghost, mirror, |nodes, ghost, mirror| {
                 let from = nodes[ghost];
                 if from[0] == 0.0 {
@@ -190,6 +201,10 @@ impl Planes<'_> {
     pub fn unfold(&mut self, walls: &[Wall], increments: bool) {
         for wall in walls.iter().rev() {
             let (ghost, _, mirror) = wall.layers(self.shape);
+            if wall.extrapolates {
+                self.extrapolate(wall, 1..7);
+                continue;
+            }
             self.for_pairs(wall.axis, ghost, mirror, |nodes, ghost, mirror| {
                 let from = nodes[mirror];
                 let to = &mut nodes[ghost];
@@ -209,6 +224,34 @@ impl Planes<'_> {
                 }
             });
         }
+    }
+
+    /// Folds these lanes of the ghost nodes of a plane beyond which the motion goes on linearly: twice onto the plane, and once
+    /// off the mirror nodes.
+    fn fold_linearly(&mut self, wall: &Wall, lanes: Range<usize>) {
+        let (ghost, _, mirror) = wall.layers(self.shape);
+        self.for_pairs(wall.axis, ghost, mirror, |nodes, ghost, mirror| {
+            let from = nodes[ghost];
+            if from[0] == 0.0 {
+                return;
+            }
+            let plane = usize::midpoint(ghost, mirror);
+            for lane in lanes.clone() {
+                nodes[plane][lane] += 2.0 * from[lane];
+                nodes[mirror][lane] -= from[lane];
+            }
+        });
+    }
+
+    /// Gives ghost nodes beyond a plane these lanes as they go on linearly.
+    fn extrapolate(&mut self, wall: &Wall, lanes: Range<usize>) {
+        let (ghost, _, mirror) = wall.layers(self.shape);
+        self.for_pairs(wall.axis, ghost, mirror, |nodes, ghost, mirror| {
+            let plane = usize::midpoint(ghost, mirror);
+            for lane in lanes.clone() {
+                nodes[ghost][lane] = 2.0 * nodes[plane][lane] - nodes[mirror][lane];
+            }
+        });
     }
 
     /// v_I = p_I / m_I in the lower lanes.

@@ -7,9 +7,9 @@ use proctor_kernel::lanes::{LaneChoice, Selected};
 use proctor_laws::{AnyLaw, LinearElastic, NeoHookean};
 use proctor_scene::simulation::{InitialField, InitialState, Options, Phase, Simulation};
 use proctor_scene::{
-    Body, Damping, Dimension, DomainUpdate, InitialStress, Material, Mesh, Mortar, OnImbalance,
-    Outside, PlaneCondition, Results, Scene, Shape, StressScheme, TimeStep, Transfer, TransferKind,
-    Vector, VolumetricStrain, Weighting,
+    Body, Damping, Dimension, DomainUpdate, GroundBeyond, InitialStress, Material, Mesh, Mortar,
+    OnImbalance, Outside, PlaneCondition, Results, Scene, Shape, StressScheme, TimeStep, Transfer,
+    TransferKind, Vector, VolumetricStrain, Weighting,
 };
 use std::sync::{Arc, Mutex};
 
@@ -129,6 +129,7 @@ pub fn empty(dimension: Dimension, cells: [usize; 3], h: f64) -> Scene {
         surfaces: vec![],
         damping: Damping::None,
         base_motion: None,
+        ground_beyond: GroundBeyond::default(),
         held_boxes: vec![],
         point_loads: vec![],
         tractions: vec![],

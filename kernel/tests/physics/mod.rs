@@ -1,5 +1,6 @@
 //! What simulations do: vibrate, settle, fall, push, break; and what they refuse.
 
+mod absorbing;
 mod balance;
 mod bar;
 mod beside;

@@ -195,6 +195,7 @@ fn dissipated(e: &SummaryEnergy) -> Option<String> {
         ("impact", e.impact),
         ("plastic work", e.plastic),
         ("with removed particles", e.removed),
+        ("through absorbing planes", e.absorbed),
     ];
     let took = |(name, value): (&str, Option<f64>)| {
         let value = value.filter(|value| *value != 0.0)?;

@@ -3,16 +3,18 @@
 use super::build::Build;
 use super::keys::{RawEarthquake, RawScene};
 use super::lists::VectorOrTable;
-use super::words::{PLANES, QUANTITIES, Quantity};
+use super::words::{BASES, Base, PLANES, QUANTITIES, Quantity, RECORDED_MOTIONS, RecordedMotion};
 use crate::records;
 use proctor_scene::{BaseMotion, BoxLoad, HeldBox, History, Motion, PointLoad, Scene, Traction};
 
 impl Build<'_> {
     pub(super) fn loads(&mut self, raw: &RawScene, scene: &mut Scene) {
-        scene.base_motion = raw
-            .earthquake
-            .as_ref()
-            .and_then(|raw| self.base_motion(raw));
+        match raw.earthquake.as_ref().and_then(|raw| self.earthquake(raw)) {
+            Some((Base::Rigid, motion)) => scene.base_motion = Some(motion),
+            Some((Base::Compliant, motion)) => scene.ground_beyond.incoming = Some(motion),
+            None => {}
+        }
+        scene.ground_beyond.thickness = raw.absorbing_springs;
         for (i, pair) in raw.nodal_point_load.iter().flatten().enumerate() {
             let path = format!("nodal_point_load[{i}]");
             if let [position, force] = &pair[..] {
@@ -67,8 +69,8 @@ impl Build<'_> {
         self.motion(path, given)
     }
 
-    /// The motion of a plane, if it is active and its record can be read.
-    fn base_motion(&mut self, raw: &RawEarthquake) -> Option<BaseMotion> {
+    /// The base and its motion, if it is active and its record can be read: of a compliant base that of the incoming wave.
+    fn earthquake(&mut self, raw: &RawEarthquake) -> Option<(Base, BaseMotion)> {
         // The manuals' program takes a missing switch for `false`; a record that is silently not used is worth
         // an error.
         match raw.active {
@@ -97,19 +99,41 @@ impl Build<'_> {
             QUANTITIES,
             Quantity::Acceleration,
         );
+        let base = self.word_or("earthquake.base", raw.base.as_ref(), BASES, Base::Rigid);
+        let recorded = self.word_or(
+            "earthquake.motion",
+            raw.motion.as_ref(),
+            RECORDED_MOTIONS,
+            RecordedMotion::Outcrop,
+        );
+        if base == Base::Rigid && raw.motion.is_some() {
+            self.add(
+                "earthquake.motion",
+                "the motion of a wave, where the base is rigid and moves as the record says",
+                "no `motion`, or `base` \"compliant\"",
+            );
+        }
         let Some(file) = &raw.file else {
             self.missing("earthquake.file", "the path of a record");
             return None;
         };
         match records::read(&self.folder.join(file), raw.header, self.dimension) {
-            Ok(history) => Some(BaseMotion {
-                axis: plane.0,
-                side: plane.1,
-                motion: match quantity {
-                    Quantity::Acceleration => Motion::Acceleration(history),
-                    Quantity::Velocity => Motion::Velocity(history),
-                },
-            }),
+            Ok(mut history) => {
+                if base == Base::Compliant && recorded == RecordedMotion::Outcrop {
+                    for value in history.values.iter_mut().flatten() {
+                        *value *= 0.5;
+                    }
+                }
+                let motion = BaseMotion {
+                    axis: plane.0,
+                    side: plane.1,
+                    motion: match quantity {
+                        Quantity::Acceleration => Motion::Acceleration(history),
+                        Quantity::Velocity => Motion::Velocity(history),
+                    },
+                };
+                Some((base, motion))
+            }
             Err(error) => {
                 self.add_all("earthquake.file", error);
                 None

@@ -56,6 +56,7 @@ pub(super) const PLANE_CONDITIONS: Words<PlaneCondition> = &[
     ("sliding", PlaneCondition::Sliding),
     ("fixed", PlaneCondition::Fixed),
     ("antisymmetric", PlaneCondition::Antisymmetric),
+    ("absorbing", PlaneCondition::Absorbing),
 ];
 
 /// Kinds of damping.
@@ -137,6 +138,27 @@ pub(super) enum Quantity {
 pub(super) const QUANTITIES: Words<Quantity> = &[
     ("acceleration", Quantity::Acceleration),
     ("velocity", Quantity::Velocity),
+];
+
+/// Bases under the ground.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Base {
+    Rigid,
+    Compliant,
+}
+
+pub(super) const BASES: Words<Base> = &[("rigid", Base::Rigid), ("compliant", Base::Compliant)];
+
+/// Motions that a record is of, where the base is compliant.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum RecordedMotion {
+    Outcrop,
+    Incoming,
+}
+
+pub(super) const RECORDED_MOTIONS: Words<RecordedMotion> = &[
+    ("outcrop", RecordedMotion::Outcrop),
+    ("incoming", RecordedMotion::Incoming),
 ];
 
 pub(super) const OUTSIDES: Words<Outside> = &[("stop", Outside::Stop), ("remove", Outside::Remove)];

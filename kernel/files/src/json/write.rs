@@ -8,7 +8,8 @@ use std::fmt;
 use serde_json::{Map, Value, json};
 
 use super::words::{
-    CONTACT_NORMALS, FIELDS, NODAL_FIELDS, PLANE_CONDITIONS, PLANES, SCHEMES, Words,
+    BASES, Base, CONTACT_NORMALS, FIELDS, NODAL_FIELDS, PLANE_CONDITIONS, PLANES, RECORDED_MOTIONS,
+    RecordedMotion, SCHEMES, Words,
 };
 use crate::records;
 use proctor_laws::{self as laws, AnyLaw, LawType};
@@ -139,6 +140,16 @@ pub fn write(scene: &Scene) -> Result<SceneWriter, NotWritten> {
         let (entry, text) = to.base_motion(base);
         keys["earthquake"] = entry;
         files.push((RECORD.to_owned(), text));
+    }
+    if let Some(wave) = &scene.ground_beyond.incoming {
+        let (mut entry, text) = to.base_motion(wave);
+        entry["base"] = word(BASES, &Base::Compliant).into();
+        entry["motion"] = word(RECORDED_MOTIONS, &RecordedMotion::Incoming).into();
+        keys["earthquake"] = entry;
+        files.push((RECORD.to_owned(), text));
+    }
+    if let Some(thickness) = scene.ground_beyond.thickness {
+        keys["absorbing_springs"] = thickness.into();
     }
     Ok(SceneWriter { scene: keys, files })
 }

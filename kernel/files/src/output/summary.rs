@@ -109,7 +109,7 @@ pub struct SummaryEnergy {
     /// Brought in by gravity, loads, moving boundaries and whoever moves bodies as prescribed.
     #[serde(default, skip_serializing_if = "no_number")]
     pub external_work: Option<f64>,
-    /// What is missing: the sum of damping, friction, impact, plastic, removed and remainder.
+    /// What is missing: the sum of damping, friction, impact, plastic, removed, absorbed and remainder.
     #[serde(default, skip_serializing_if = "no_number")]
     pub dissipated: Option<f64>,
     /// Taken out by damping.
@@ -127,6 +127,9 @@ pub struct SummaryEnergy {
     /// Of particles that left the mesh and were removed.
     #[serde(default, skip_serializing_if = "no_number")]
     pub removed: Option<f64>,
+    /// Left through absorbing planes; left out where no plane absorbs.
+    #[serde(default, skip_serializing_if = "no_number")]
+    pub absorbed: Option<f64>,
     /// What none of these accounts for: the transfer between particles and nodes, friction of mortar contact, errors of the
     /// method. Negative where energy came from nowhere.
     #[serde(default, skip_serializing_if = "no_number")]

@@ -63,6 +63,9 @@ impl HistoryRows {
         }
         names.push("velocity_time".into());
         names.extend(BALANCE.map(str::to_owned));
+        if simulation.model().settings.absorbs() {
+            names.push(ABSORBED.into());
+        }
         if has_drift(simulation) {
             names.extend(DRIFT.map(str::to_owned));
         }
@@ -119,6 +122,9 @@ impl HistoryRows {
             energy.removed,
             energy.remainder,
         ]);
+        if simulation.model().settings.absorbs() {
+            row.push(energy.absorbed);
+        }
         if has_drift(simulation) {
             // Between two stages all bodies with a boundary may be driven: empty cells.
             let drift = simulation.boundary_drift();
@@ -143,6 +149,9 @@ const BALANCE: [&str; 9] = [
     "energy_removed",
     "energy_remainder",
 ];
+
+/// Energy that left through absorbing planes \[J\].
+const ABSORBED: &str = "energy_absorbed";
 
 /// Where the work of the strain of a body went that yields \[J\].
 const YIELDING: [&str; 3] = ["stored", "plastic", "algorithmic"];

@@ -220,6 +220,11 @@ impl Run {
                 plastic: Some(energy.plastic),
                 removed: Some(energy.removed),
                 remainder: Some(energy.remainder),
+                absorbed: simulation
+                    .model()
+                    .settings
+                    .absorbs()
+                    .then_some(energy.absorbed),
                 algorithmic: (!yielding.is_empty()).then_some(energy.algorithmic),
             },
             yielding,

@@ -4,8 +4,8 @@ use super::RunError;
 use crate::output::{Checkpoint, CheckpointError};
 use proctor_kernel::stage::g2p::ParticleMaxima;
 use proctor_scene::simulation::{
-    Clock, EnergyLedger, Event, EventKind, Extremes, Groups, Invariant, InvariantMonitor,
-    ParticleAt, RestoreError, Saved, Simulation, State, Violation,
+    AbsorbingNode, Clock, EnergyLedger, Event, EventKind, Extremes, Groups, Invariant,
+    InvariantMonitor, ParticleAt, RestoreError, Saved, Simulation, State, Violation,
 };
 use proctor_scene::{Results, Scene};
 
@@ -67,6 +67,7 @@ pub(super) fn save(simulation: &Simulation) -> Checkpoint {
     }
     save_events(&state.events, &mut checkpoint);
     save_trust(&state.invariants, &mut checkpoint);
+    save_absorbing(&state.absorbing, state.ledger.absorbed, &mut checkpoint);
     let extremes = vec![
         state.extremes.volume_change,
         state.extremes.stretch_ratio,
@@ -170,6 +171,7 @@ fn read(checkpoint: &Checkpoint, like: Saved) -> Result<Saved, CheckpointError> 
             friction: numbers[15],
             impact: numbers[16],
             removed: numbers[17],
+            absorbed: 0.0,
         },
         mesh_shift: [numbers[11], numbers[12], numbers[13]],
         ..like.state
@@ -195,6 +197,7 @@ fn read(checkpoint: &Checkpoint, like: Saved) -> Result<Saved, CheckpointError> 
         };
     }
     state.events = read_events(checkpoint)?;
+    state.ledger.absorbed = read_absorbing(checkpoint, &mut state.absorbing)?;
     state.invariants = read_trust(checkpoint)?;
     let extremes = checkpoint.array::<f64>("extremes/numbers", 3)?;
     state.extremes = Extremes {
@@ -269,6 +272,38 @@ fn read_trust(checkpoint: &Checkpoint) -> Result<InvariantMonitor, CheckpointErr
         volume_left: numbers[4],
         violation,
     })
+}
+
+/// Nodes of absorbing planes, and the energy that left through them; nothing where no plane absorbs.
+fn save_absorbing(nodes: &[AbsorbingNode], absorbed: f64, checkpoint: &mut Checkpoint) {
+    if nodes.is_empty() {
+        return;
+    }
+    let numbers = nodes.iter().flat_map(AbsorbingNode::to_numbers);
+    checkpoint.push::<u64>(
+        "absorbing/node",
+        nodes.iter().map(|one| one.node as u64).collect(),
+    );
+    checkpoint.push::<f64>("absorbing/numbers", numbers.collect());
+    checkpoint.push::<f64>("absorbing/energy", vec![absorbed]);
+}
+
+/// The energy that left through absorbing planes \[J\]; their nodes in the place of those of the start.
+fn read_absorbing(
+    checkpoint: &Checkpoint,
+    nodes: &mut [AbsorbingNode],
+) -> Result<f64, CheckpointError> {
+    if nodes.is_empty() {
+        return Ok(0.0);
+    }
+    let places = checkpoint.array::<u64>("absorbing/node", nodes.len())?;
+    let all = AbsorbingNode::NUMBERS * nodes.len();
+    let numbers = checkpoint.array::<f64>("absorbing/numbers", all)?;
+    let (numbers, _) = numbers.as_chunks();
+    for ((one, &node), numbers) in nodes.iter_mut().zip(places).zip(numbers) {
+        *one = AbsorbingNode::from_numbers(node as usize, numbers);
+    }
+    Ok(checkpoint.array::<f64>("absorbing/energy", 1)?[0])
 }
 
 fn save_events(events: &[Event], checkpoint: &mut Checkpoint) {

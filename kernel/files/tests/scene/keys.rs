@@ -356,6 +356,6 @@ fn the_schema_knows_every_key_and_both_forms_of_a_list() {
     assert_eq!(entries[1]["type"], "object");
     assert_eq!(
         schema["$defs"]["RawPlanes"]["properties"]["plane_X0"]["enum"],
-        serde_json::json!(["free", "sliding", "fixed", "antisymmetric"])
+        serde_json::json!(["free", "sliding", "fixed", "antisymmetric", "absorbing"])
     );
 }

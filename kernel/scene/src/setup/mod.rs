@@ -102,6 +102,8 @@ pub(crate) fn set_up(scene: &Scene, options: &Options) -> Result<Cycle, SetupErr
         own_conditions: options.conditions.clone(),
         has_own: !(options.conditions.is_empty() && options.interactions.is_empty()),
         base: (scene.base_motion.as_ref()).map(|base| BaseVelocity::new(&base.motion)),
+        incoming: (scene.ground_beyond.incoming.as_ref())
+            .map(|wave| BaseVelocity::new(&wave.motion)),
         body_force: options.body_force.clone(),
     };
     let start = Start {

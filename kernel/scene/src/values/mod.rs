@@ -25,9 +25,9 @@ pub use results::{Field, NodalField, Probe, Results};
 use proctor_contact::{Contact, ContactValues, Mortar, PlannedBody, RigidSurface};
 use proctor_kernel::laws::AnyLaw;
 use proctor_kernel::model::{
-    BaseMotion, BoxLoad, CycleSettings, Damping, Dimension, HeldBox, Mesh, OnImbalance, Outside,
-    PointLoad, StressScheme, TimeStep, Traction, Transfer, TransferKind, Vector, VolumetricStrain,
-    Weighting, plane_acts,
+    BaseMotion, BoxLoad, CycleSettings, Damping, Dimension, GroundBeyond, HeldBox, Mesh,
+    OnImbalance, Outside, PointLoad, StressScheme, TimeStep, Traction, Transfer, TransferKind,
+    Vector, VolumetricStrain, Weighting, plane_acts,
 };
 
 /// Everything that is simulated.
@@ -63,6 +63,8 @@ pub struct Scene {
     pub damping: Damping,
     /// Motion of one boundary plane, if any ("earthquake").
     pub base_motion: Option<BaseMotion>,
+    /// The ground beyond absorbing planes: a wave that comes in, springs.
+    pub ground_beyond: GroundBeyond,
     /// Boxes in which nodes stand still.
     pub held_boxes: Vec<HeldBox>,
     /// Forces on nodes, constant in time.
@@ -118,6 +120,7 @@ impl Scene {
             surfaces: Vec::new(),
             damping: Damping::None,
             base_motion: None,
+            ground_beyond: GroundBeyond::default(),
             held_boxes: Vec::new(),
             point_loads: Vec::new(),
             tractions: Vec::new(),
@@ -175,6 +178,7 @@ impl Scene {
             transfer: self.transfer,
             damping: self.damping,
             base_motion: self.base_motion.clone(),
+            ground_beyond: self.ground_beyond.clone(),
             held_boxes: self.held_boxes.clone(),
             point_loads: self.point_loads.clone(),
             tractions: self.tractions.clone(),

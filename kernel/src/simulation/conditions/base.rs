@@ -55,6 +55,7 @@ impl Condition for MovingBase {
             axis: self.axis,
             side: self.side,
             prescribed: PlaneCondition::Fixed.prescribed(self.axis),
+            extrapolates: false,
             before,
             after,
         };

@@ -11,6 +11,7 @@
 
 mod light;
 
+pub use absorbing::DashpotNode;
 pub(super) use loads::{areas as nodes_of_traction, load_on};
 
 use super::{Cycle, history_value};
@@ -55,6 +56,7 @@ list! {
     held: [HELD_NODES],
     loads: [NODAL_LOADS],
     driven: [DRIVEN_BODIES],
+    absorbing: [ABSORBING_PLANES],
 }
 
 /// What the plan says of conditions.
@@ -113,6 +115,7 @@ impl Cycle {
             let motion = body.motion.as_ref()?;
             Some(half_steps.map(|time| history_value(motion, time)))
         }));
+        self.prescribe_absorbing(&mut nodal);
         let view = self.view();
         for condition in &self.model.conditions {
             condition.prescribe(&view, &mut nodal);

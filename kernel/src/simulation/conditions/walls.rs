@@ -49,6 +49,7 @@ fn of(settings: &CycleSettings, shape: &GridShape) -> Option<ConditionResult> {
                     axis,
                     side,
                     prescribed: condition.prescribed(axis),
+                    extrapolates: condition == PlaneCondition::Absorbing,
                     before: [0.0; 3],
                     after: [0.0; 3],
                 });

@@ -7,6 +7,7 @@ pub use nodes::{FieldNodes, Node};
 use super::mapping::ParticleToGrid;
 use crate::model::Vector;
 use crate::particles::ParticleSet;
+use crate::simulation::conditions::DashpotNode;
 use crate::simulation::step_view::StepView;
 use crate::stage::solve::{DrivenNode, EmptyNode, NodeForce, Planes, Wall};
 use crate::weights::Family;
@@ -63,6 +64,8 @@ pub struct NodalConditions {
     pub(super) spread: bool,
     /// Nodes of the common field that move with driven bodies, each once, increasing; none that is held.
     pub driven: Vec<DrivenNode>,
+    /// Nodes of absorbing planes, each once, increasing.
+    pub absorbing: Vec<DashpotNode>,
     /// Nodes while they are sought.
     pub(super) nodes: Vec<usize>,
     /// Nodes of all fields that stand still, each once, increasing.
@@ -86,16 +89,19 @@ impl NodalConditions {
             mut prescribed,
             mut loads,
             mut driven,
+            mut absorbing,
             nodes,
             ..
         } = std::mem::take(self);
         prescribed.clear();
         loads.clear();
         driven.clear();
+        absorbing.clear();
         *self = Self {
             prescribed,
             loads,
             driven,
+            absorbing,
             nodes,
             kick,
             half_steps,

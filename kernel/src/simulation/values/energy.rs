@@ -11,7 +11,7 @@ pub struct Energy {
     pub contact: f64,
     /// Work of gravity, loads, moving planes and whatever else has a prescribed velocity since the start.
     pub external_work: f64,
-    /// Missing energy: that of the start plus external work less what is there now. It is the sum of the six that
+    /// Missing energy: that of the start plus external work less what is there now. It is the sum of the seven that
     /// follow.
     pub dissipated: f64,
     /// Energy taken by local, viscous and kinetic damping.
@@ -22,6 +22,8 @@ pub struct Energy {
     pub impact: f64,
     /// Plastic work, and whatever else laws dissipate.
     pub plastic: f64,
+    /// Energy that left through absorbing planes.
+    pub absorbed: f64,
     /// Energy that left with removed particles, with what had been dissipated in them.
     pub removed: f64,
     /// Energy that no channel accounts for; negative where energy came from nowhere.

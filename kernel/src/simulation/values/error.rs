@@ -225,6 +225,13 @@ pub enum StepErrorKind {
     NotTrusted(Violation),
     /// A body is in tension, which FLIP does not hold with MUSL or USF.
     Tension(Tension),
+    /// The material at an absorbing plane moved off it by half a cell.
+    OffAbsorbingPlane {
+        /// Axis of the normal, and 0 for the lower or 1 for the upper plane.
+        plane: (usize, usize),
+        /// Mean displacement along the normal \[m\].
+        displacement: f64,
+    },
     /// A cpGIMP domain grew beyond one cell, where the weights are no longer a partition of unity.
     DomainTooLarge {
         /// Half-length in cells.
@@ -350,6 +357,17 @@ impl fmt::Display for StepError {
             StepErrorKind::Interaction(error) => write!(f, "{error}"),
             StepErrorKind::NotTrusted(violation) => write!(f, "{violation}"),
             StepErrorKind::Tension(tension) => write!(f, "{tension}"),
+            StepErrorKind::OffAbsorbingPlane {
+                plane: (axis, side),
+                displacement,
+            } => write!(
+                f,
+                "the material at the absorbing plane {}{} has moved by {displacement} m along its normal, more than half a cell; \
+                 its dashpots stay at the nodes. Waves of smaller amplitude, larger cells, or springs (\"absorbing_springs\") \
+                 keep it there",
+                ["X", "Y", "Z"][*axis],
+                ["0", "n"][*side]
+            ),
             StepErrorKind::DomainTooLarge { half_length } => write!(
                 f,
                 "a particle domain has a half-length of {half_length} cells; cpGIMP needs at most 1"

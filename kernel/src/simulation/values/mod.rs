@@ -1,5 +1,6 @@
 //! Values of a simulation: its state, what a step reports, errors, events and balances. None of them knows the cycle.
 
+mod absorbing;
 mod body;
 mod clock;
 mod energy;
@@ -15,6 +16,7 @@ mod spin;
 mod state;
 mod tension;
 
+pub use absorbing::AbsorbingNode;
 pub use body::BodyRun;
 pub use clock::{Bound, Clock, Drift, StepInfo};
 pub use energy::{BodyEnergy, Energy};

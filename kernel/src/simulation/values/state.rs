@@ -4,6 +4,7 @@
 //! on with it, all by `Cycle::save` and `Cycle::restore`. What can be had from the scene is not in it: neither
 //! the grid, which is scratch between steps, nor laws, loads and surfaces. How it is written is not known here.
 
+use super::absorbing::AbsorbingNode;
 use super::clock::Clock;
 use super::event::Event;
 use super::extremes::Extremes;
@@ -44,6 +45,8 @@ pub struct State {
     pub extremes: Extremes,
     /// Angular momentum at the start, where nothing outside can turn the bodies.
     pub start_spin: Option<Spin>,
+    /// Nodes of absorbing planes, increasing.
+    pub absorbing: Vec<AbsorbingNode>,
 }
 
 /// Running sums of the energy balance.
@@ -63,6 +66,8 @@ pub struct EnergyLedger {
     pub impact: f64,
     /// Energy that left with removed particles so far \[J\].
     pub removed: f64,
+    /// Energy that left through absorbing planes so far \[J\].
+    pub absorbed: f64,
 }
 
 /// Saved arrays: lists of numbers with their names.
@@ -141,6 +146,7 @@ impl State {
             invariants: InvariantMonitor::default(),
             extremes: Extremes::default(),
             start_spin: None,
+            absorbing: vec![],
         }
     }
 }

@@ -37,6 +37,10 @@ impl Planes<'_> {
                 }
             });
             // The ghosts of earlier walls are filled by now, so corners come out right.
+            if wall.extrapolates {
+                self.extrapolate(wall, 4..7);
+                continue;
+            }
             self.for_pairs(wall.axis, ghost, mirror, |nodes, ghost, mirror| {
                 for axis in 0..3 {
                     let v = nodes[mirror][4 + axis];
@@ -55,6 +59,10 @@ impl Planes<'_> {
     pub fn fold_remapped(&mut self, walls: &[Wall]) {
         for wall in walls {
             let (ghost, _, mirror) = wall.layers(self.shape);
+            if wall.extrapolates {
+                self.fold_linearly(wall, 4..7);
+                continue;
+            }
             self.for_pairs(wall.axis, ghost, mirror, |nodes, ghost, mirror| {
                 let from = nodes[ghost];
                 for axis in 0..3 {

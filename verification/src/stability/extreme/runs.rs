@@ -153,6 +153,7 @@ pub fn is_blow_up(kind: &StepErrorKind) -> bool {
             | StepErrorKind::Law { .. }
             | StepErrorKind::Inverted(_)
             | StepErrorKind::Outside(_)
+            | StepErrorKind::OffAbsorbingPlane { .. }
             | StepErrorKind::DomainTooLarge { .. }
     )
 }

@@ -36,7 +36,7 @@ pub(in crate::json) struct RawMesh {
     pub comment: Option<Comment>,
 }
 
-/// Conditions on the planes of the mesh: `free`, `sliding`, `fixed` or `antisymmetric`.
+/// Conditions on the planes of the mesh: `free`, `sliding`, `fixed`, `antisymmetric` or `absorbing`.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(
     deny_unknown_fields,
@@ -46,38 +46,38 @@ pub(in crate::json) struct RawPlanes {
     /// Lower plane of x.
     #[serde(rename = "plane_X0")]
     #[schemars(extend(
-        "enum" = ["free", "sliding", "fixed", "antisymmetric"], "default" = "sliding", "examples" = ["fixed"]
+        "enum" = ["free", "sliding", "fixed", "antisymmetric", "absorbing"], "default" = "sliding", "examples" = ["fixed"]
     ))]
     pub x0: Option<String>,
     /// Lower plane of y.
     #[serde(rename = "plane_Y0")]
     #[schemars(extend(
-        "enum" = ["free", "sliding", "fixed", "antisymmetric"], "default" = "sliding", "examples" = ["fixed"]
+        "enum" = ["free", "sliding", "fixed", "antisymmetric", "absorbing"], "default" = "sliding", "examples" = ["fixed"]
     ))]
     pub y0: Option<String>,
     /// Lower plane of z.
     #[serde(rename = "plane_Z0")]
     #[schemars(extend(
-        "enum" = ["free", "sliding", "fixed", "antisymmetric"], "x-needs" = "`dimension` 3", "default" = "sliding",
+        "enum" = ["free", "sliding", "fixed", "antisymmetric", "absorbing"], "x-needs" = "`dimension` 3", "default" = "sliding",
         "examples" = ["fixed"]
     ))]
     pub z0: Option<String>,
     /// Upper plane of x.
     #[serde(rename = "plane_Xn")]
     #[schemars(extend(
-        "enum" = ["free", "sliding", "fixed", "antisymmetric"], "default" = "sliding", "examples" = ["fixed"]
+        "enum" = ["free", "sliding", "fixed", "antisymmetric", "absorbing"], "default" = "sliding", "examples" = ["fixed"]
     ))]
     pub xn: Option<String>,
     /// Upper plane of y.
     #[serde(rename = "plane_Yn")]
     #[schemars(extend(
-        "enum" = ["free", "sliding", "fixed", "antisymmetric"], "default" = "sliding", "examples" = ["fixed"]
+        "enum" = ["free", "sliding", "fixed", "antisymmetric", "absorbing"], "default" = "sliding", "examples" = ["fixed"]
     ))]
     pub yn: Option<String>,
     /// Upper plane of z.
     #[serde(rename = "plane_Zn")]
     #[schemars(extend(
-        "enum" = ["free", "sliding", "fixed", "antisymmetric"], "x-needs" = "`dimension` 3", "default" = "sliding",
+        "enum" = ["free", "sliding", "fixed", "antisymmetric", "absorbing"], "x-needs" = "`dimension` 3", "default" = "sliding",
         "examples" = ["fixed"]
     ))]
     pub zn: Option<String>,
@@ -116,6 +116,17 @@ pub(in crate::json) struct RawEarthquake {
         "examples" = ["X0"]
     ))]
     pub plane: Option<String>,
+    /// Base under the ground: a rigid one moves its plane as the record says; a compliant one lets waves leave through its plane,
+    /// which must be `absorbing`, while the recorded wave comes in.
+    #[schemars(extend("enum" = ["rigid", "compliant"], "default" = "rigid", "examples" = ["compliant"]))]
+    pub base: Option<String>,
+    /// Motion that the record is of: that of a free surface of the rock, of which the incoming wave is half, or that of the
+    /// incoming wave alone.
+    #[schemars(extend(
+        "enum" = ["outcrop", "incoming"], "x-needs" = "`base` \"compliant\"", "default" = "outcrop",
+        "examples" = ["incoming"]
+    ))]
+    pub motion: Option<String>,
     /// Words for people, in every object: one text or a list of them. Nothing reads them.
     #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
     #[expect(dead_code, reason = "words for people")]

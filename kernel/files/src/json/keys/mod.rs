@@ -140,6 +140,12 @@ pub(super) struct RawScene {
         "x-default" = "no plane moves", "examples" = [{"active": true, "file": "record.csv"}]
     ))]
     pub earthquake: Option<RawEarthquake>,
+    /// Thickness of the ground beyond `absorbing` planes for which springs stand beside the dashpots: they bring the planes back
+    /// after loads that stay.
+    #[schemars(extend(
+        "x-unit" = "m", "x-default" = "no springs", "exclusiveMinimum" = 0, "examples" = [100]
+    ))]
+    pub absorbing_springs: Option<f64>,
     /// Materials, as a list or by name.
     #[schemars(extend(
         "x-needed" = true, "examples" = [[{"type": "elastic", "id": 1, "young": 1e6, "poisson": 0.3, "density": 1000}]]

@@ -4,7 +4,7 @@ use super::body::{check_box, outside};
 use super::collector::Collector;
 use super::history::check_history;
 use crate::values::Scene;
-use proctor_kernel::model::{HeldBox, Mesh, Motion, PointLoad, Traction};
+use proctor_kernel::model::{Damping, HeldBox, Mesh, Motion, PlaneCondition, PointLoad, Traction};
 
 /// A point load must lie on a node within this share of a cell: far above the round-off of any mesh that a file
 /// can describe, far below what could be meant otherwise.
@@ -22,6 +22,7 @@ pub(super) fn check(scene: &Scene, mesh_is_sound: bool, problems: &mut Collector
         let (Motion::Acceleration(history) | Motion::Velocity(history)) = &base.motion;
         check_history("earthquake.file", history, problems);
     }
+    check_ground_beyond(scene, problems);
     for (i, held) in scene.held_boxes.iter().enumerate() {
         check_held(
             scene,
@@ -51,6 +52,78 @@ pub(super) fn check(scene: &Scene, mesh_is_sound: bool, problems: &mut Collector
         let path = format!("box_load[{i}]");
         problems.vector(format!("{path}.force"), &load.force);
         check_box(&path, &load.p1, &load.p2, scene.dimension.axes(), problems);
+    }
+}
+
+/// What comes in through an absorbing plane, and what lies beyond it.
+fn check_ground_beyond(scene: &Scene, problems: &mut Collector) {
+    let planes = &scene.mesh.planes;
+    let absorbs = |axis: usize, side: usize| planes[axis][side] == PlaneCondition::Absorbing;
+    let axes = scene.dimension.axes();
+    let any = (0..axes).any(|axis| absorbs(axis, 0) || absorbs(axis, 1));
+    if let Some(wave) = &scene.ground_beyond.incoming {
+        if wave.axis >= axes || wave.side > 1 || !absorbs(wave.axis, wave.side) {
+            problems.add(
+                "earthquake.base",
+                "a wave that comes in through a plane which does not absorb",
+                "a `plane` whose condition is \"absorbing\", or `base` \"rigid\"",
+            );
+        }
+        let (Motion::Acceleration(history) | Motion::Velocity(history)) = &wave.motion;
+        check_history("earthquake.file", history, problems);
+    }
+    if let Some(base) = &scene.base_motion
+        && base.axis < axes
+        && base.side < 2
+        && absorbs(base.axis, base.side)
+    {
+        problems.add(
+            "earthquake.base",
+            "a plane that absorbs and moves as a record says",
+            "`base` \"compliant\", or another condition of the plane",
+        );
+    }
+    if let Some(thickness) = scene.ground_beyond.thickness {
+        if !(thickness > 0.0 && thickness.is_finite()) {
+            problems.add(
+                "absorbing_springs",
+                thickness.to_string(),
+                "the thickness of the ground beyond, a number greater than 0 [m]",
+            );
+        }
+        if !any {
+            problems.add(
+                "absorbing_springs",
+                "springs where no plane absorbs",
+                "a plane whose condition is \"absorbing\"",
+            );
+        }
+    }
+    if !any {
+        return;
+    }
+    if scene.damping == Damping::Kinetic {
+        problems.add(
+            "damping",
+            "kinetic damping, which stops all motion at a peak of kinetic energy, with absorbing planes: waves that leave make such peaks",
+            "no damping, or \"local\" or \"viscous\" damping",
+        );
+    }
+    if !scene.mortar.contacts.is_empty() {
+        problems.add(
+            "mesh.boundary_conditions",
+            "absorbing planes with mortar contact, whose vertices know mirror images alone",
+            "contact on the grid, or planes that do not absorb",
+        );
+    }
+    for (i, body) in scene.bodies.iter().enumerate() {
+        if body.motion.is_some() {
+            problems.add(
+                format!("body[{i}].prescribed_velocity"),
+                "a body that moves as prescribed, where planes of the mesh absorb",
+                "no `prescribed_velocity`, or planes that do not absorb",
+            );
+        }
     }
 }
 

@@ -1,0 +1,235 @@
+//! Absorbing planes: dashpots with the impedance of the ground, through which waves leave (Lysmer and Kuhlemeyer 1969).
+//!
+//! At a node of area A the ground beyond exerts f = -Z (v - 2 `v_in`) - k d + R per axis. Z is A times density times wave
+//! speed: that of compression along the normal of the plane, that of shear along the plane. `v_in` is the velocity of a wave
+//! that comes in, k the stiffness of a spring, d the displacement since the start. R balances the stress and the weight that
+//! are there at the start, so that ground at rest stays at rest.
+//!
+//! v is the mean of the velocities before and after the kick. The dashpot is then implicit: it takes exactly Z v² dt, is of
+//! second order in time, and bounds no time step. Beyond the plane the motion goes on linearly
+//! ([`Wall::extrapolates`](crate::stage::solve::Wall)).
+
+mod ground;
+
+use super::{ConditionResult, ConditionType};
+use crate::grid::{GHOSTS_BELOW, GridShape, Line};
+use crate::model::{CycleSettings, PlaneCondition, Vector};
+use crate::simulation::Cycle;
+use crate::simulation::context::{Condition, FieldNodes, NodalConditions};
+use crate::simulation::fields::SlabField;
+use crate::simulation::values::{Drift, StepError, StepErrorKind};
+use crate::stage::solve::{EmptyNode, PlaneSums};
+use std::sync::Arc;
+
+/// Cells by which the material at a plane may move off the dashpots, which stay at their nodes.
+const MOST_TRAVEL: f64 = 0.5;
+
+/// A node of absorbing planes in one step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DashpotNode {
+    /// Index of the node in the grid.
+    pub node: usize,
+    /// Impedance of its dashpot per axis \[N s/m\].
+    pub impedance: Vector,
+    /// Force beside that of the dashpot \[N\].
+    pub force: Vector,
+}
+
+struct AbsorbingPlanes;
+
+/// Absorbing planes.
+pub(super) const ABSORBING_PLANES: ConditionType = ConditionType {
+    plan_entries: |settings, list| {
+        let acts = settings.absorbs();
+        list.choose(
+            "stage",
+            "absorbing planes",
+            acts,
+            "waves leave through a plane",
+            "no plane is absorbing",
+        );
+    },
+    make: Some(of),
+    planes: false,
+};
+
+fn of(settings: &CycleSettings, _: &GridShape) -> Option<ConditionResult> {
+    settings
+        .absorbs()
+        .then(|| Ok(Arc::new(AbsorbingPlanes) as _))
+}
+
+impl Condition for AbsorbingPlanes {
+    fn before(&self, field: &mut FieldNodes<'_, '_>) -> Result<(), EmptyNode> {
+        for_dashpots(field, |line, dashpot, share, _| {
+            for axis in 0..3 {
+                line[4 + axis] += share * dashpot.force[axis];
+            }
+        });
+        Ok(())
+    }
+
+    fn after(&self, field: &mut FieldNodes<'_, '_>) {
+        let kick = field.kick();
+        for_dashpots(field, |line, dashpot, share, sums| {
+            for axis in 0..3 {
+                let impedance = share * dashpot.impedance[axis];
+                if impedance == 0.0 {
+                    continue;
+                }
+                let twice_beta = impedance * kick / line[0];
+                let (v, dv) = (line[1 + axis], line[4 + axis]);
+                let before = v - dv;
+                let change = (dv - twice_beta * before) / (1.0 + 0.5 * twice_beta);
+                (line[1 + axis], line[4 + axis]) = (before + change, change);
+                let mean = before + 0.5 * change;
+                sums.absorbed += impedance * mean * mean * kick;
+            }
+        });
+    }
+
+    fn settled(&self, field: &mut FieldNodes<'_, '_>) {
+        for_dashpots(field, |line, dashpot, share, sums| {
+            let power = (0..3).map(|axis| dashpot.force[axis] * line[1 + axis]);
+            sums.power += share * power.sum::<f64>();
+        });
+    }
+}
+
+/// Calls `act` with each node of absorbing planes where a field has mass, the share of the field in the mass there, and the
+/// sums of its plane of nodes.
+fn for_dashpots(
+    field: &mut FieldNodes<'_, '_>,
+    mut act: impl FnMut(&mut Line, &DashpotNode, f64, &mut PlaneSums),
+) {
+    let shape = field.slab.shape();
+    let [first, last] =
+        [field.slab.range().start, field.slab.range().end].map(|p| p * shape.plane_nodes());
+    let all = &field.context.nodal.absorbing;
+    let begin = all.partition_point(|dashpot| dashpot.node < first);
+    let owned = all[begin..].iter();
+    for dashpot in owned.take_while(|dashpot| dashpot.node < last) {
+        let [plane, row, k] = shape.indices(dashpot.node);
+        let index = dashpot.node - first;
+        let mass = |field: &SlabField<'_>| {
+            if field.planes.rows.span(plane, row).contains(&k) {
+                field.planes.nodes[index][0]
+            } else {
+                0.0
+            }
+        };
+        let fields = &field.slab.fields;
+        let own = mass(&fields[field.number]);
+        if own <= 0.0 {
+            continue;
+        }
+        let share = if fields.len() == 1 {
+            1.0
+        } else {
+            own / fields.iter().map(mass).sum::<f64>()
+        };
+        let (planes, _, sums) = field.parts();
+        let sums = &mut sums[plane - planes.range.start];
+        act(&mut planes.nodes[index], dashpot, share, sums);
+    }
+}
+
+impl Cycle {
+    /// The absorbing nodes of a step, with the forces of this time.
+    pub(in crate::simulation) fn prescribe_absorbing(&self, nodal: &mut NodalConditions) {
+        if self.state.absorbing.is_empty() {
+            return;
+        }
+        let middle = 0.5 * (nodal.half_steps[0] + nodal.half_steps[1]);
+        let incoming = self.model.settings.ground_beyond.incoming.as_ref();
+        let wave = self.model.incoming.as_ref().map(|wave| wave.at(middle));
+        let shape = &self.work.grid.shape;
+        nodal
+            .absorbing
+            .extend(self.state.absorbing.iter().map(|one| {
+                let enters = incoming.is_some_and(|wave| {
+                    lies_in(shape, shape.indices(one.node), wave.axis, wave.side)
+                });
+                let wave = wave.filter(|_| enters).unwrap_or_default();
+                DashpotNode {
+                    node: one.node,
+                    impedance: one.impedance,
+                    force: std::array::from_fn(|axis| {
+                        one.reaction[axis] - one.stiffness[axis] * one.displacement[axis]
+                            + 2.0 * one.impedance[axis] * wave[axis]
+                    }),
+                }
+            }));
+    }
+
+    /// Adds the displacement increment of a step at the nodes of absorbing planes, after the equation of motion.
+    ///
+    /// # Errors
+    /// The material at a plane has moved off it by half a cell: the dashpots, which stay at their nodes, hold nothing there.
+    pub(in crate::simulation) fn move_absorbing(&mut self, drift: &Drift) -> Result<(), StepError> {
+        if self.state.absorbing.is_empty() {
+            return Ok(());
+        }
+        let mut nodes = std::mem::take(&mut self.state.absorbing);
+        for one in &mut nodes {
+            let (mut mass, mut momentum) = (0.0, [0.0; 3]);
+            for (_, rows, lines) in self.fields() {
+                let [plane, row, k] = self.work.grid.shape.indices(one.node);
+                let line = &lines[one.node];
+                if rows.span(plane, row).contains(&k) && line[0] > 0.0 {
+                    mass += line[0];
+                    for axis in 0..3 {
+                        momentum[axis] += line[0] * line[1 + axis];
+                    }
+                }
+            }
+            if mass > 0.0 {
+                for axis in 0..3 {
+                    one.displacement[axis] += momentum[axis] / mass * drift.time;
+                }
+            }
+        }
+        self.state.absorbing = nodes;
+        self.stays_at_dashpots()
+    }
+
+    fn stays_at_dashpots(&self) -> Result<(), StepError> {
+        let (mesh, shape) = (&self.model.settings.mesh, &self.work.grid.shape);
+        for (axis, side) in self.model.settings.absorbing_planes() {
+            let nodes = self.state.absorbing.iter();
+            let on = nodes.filter(|one| {
+                one.impedance[axis] > 0.0 && lies_in(shape, shape.indices(one.node), axis, side)
+            });
+            let (count, sum) = on.fold((0_usize, 0.0), |(count, sum), one| {
+                (count + 1, sum + one.displacement[axis])
+            });
+            let mean = sum / count.max(1) as f64;
+            if mean.abs() > MOST_TRAVEL * mesh.cell[axis] {
+                return Err(self.error(StepErrorKind::OffAbsorbingPlane {
+                    plane: (axis, side),
+                    displacement: mean,
+                }));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Whether storage indices are those of a node of a plane of the mesh.
+fn lies_in(shape: &GridShape, at: [usize; 3], axis: usize, side: usize) -> bool {
+    at[shape.direction(axis)] == GHOSTS_BELOW + side * shape.cells[axis]
+}
+
+impl CycleSettings {
+    /// The absorbing planes: axis of the normal, and 0 for the lower or 1 for the upper plane.
+    pub fn absorbing_planes(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
+        let planes = (0..self.dimension.axes()).flat_map(|axis| [(axis, 0), (axis, 1)]);
+        planes.filter(|(axis, side)| self.mesh.planes[*axis][*side] == PlaneCondition::Absorbing)
+    }
+
+    /// Whether a plane is absorbing.
+    #[must_use]
+    pub fn absorbs(&self) -> bool {
+        self.absorbing_planes().next().is_some()
+    }
+}

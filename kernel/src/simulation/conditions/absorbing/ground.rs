@@ -1,0 +1,229 @@
+//! The ground at absorbing planes, as it is at the start: impedances, springs and reactions of their nodes.
+
+use super::lies_in;
+use crate::grid::{GHOSTS_BELOW, GridShape};
+use crate::layout::Layout;
+use crate::model::{CycleSettings, Damping, Vector};
+use crate::simulation::Cycle;
+use crate::simulation::energy::NodalSnapshot;
+use crate::simulation::mapping::node_weights;
+use crate::simulation::values::{AbsorbingNode, StepError};
+
+/// Cells from a plane within which particles can reach its nodes.
+const REACH: f64 = 2.0;
+
+impl Cycle {
+    /// Finds impedances and reactions at the nodes of absorbing planes, from the particles as they are. A node that no
+    /// particle reaches now stays free.
+    pub(in crate::simulation) fn start_absorbing(&mut self) {
+        if !self.model.settings.absorbs() {
+            return;
+        }
+        let mut nodes = self.absorbing_nodes();
+        let kept = NodalSnapshot::take(self);
+        let conditions = std::mem::take(&mut self.model.conditions);
+        // Reactions are those to stress and weight: loads that begin to act and damping are none of them.
+        let settings = CycleSettings {
+            point_loads: vec![],
+            tractions: vec![],
+            damping: Damping::None,
+            ..self.model.settings.clone()
+        };
+        if let Ok(own) = crate::simulation::conditions(&settings, &self.work.grid.shape, &[]) {
+            self.model.conditions = own;
+            let found = self.led(|cycle| cycle.forces_at(&nodes));
+            for (one, force) in nodes.iter_mut().zip(found.unwrap_or_default()) {
+                for axis in (0..3).filter(|axis| one.impedance[*axis] > 0.0) {
+                    one.reaction[axis] = -force[axis];
+                }
+            }
+        }
+        self.model.conditions = conditions;
+        kept.put_back(self);
+        self.state.absorbing = nodes;
+    }
+
+    /// Force of stress and weight at these nodes \[N\].
+    fn forces_at(&mut self, nodes: &[AbsorbingNode]) -> Result<Vec<Vector>, StepError> {
+        self.prepare_solve()?;
+        // Any time will do: forces at the nodes do not depend on it.
+        let kick = self.free_step();
+        let now = self.state.clock.time;
+        let nodal = self.nodal_conditions_over(kick, [now, now], kick);
+        self.complete_solve(&nodal)?;
+        let shape = &self.work.grid.shape;
+        let force = |one: &AbsorbingNode| {
+            let [plane, row, k] = shape.indices(one.node);
+            let mut force = [0.0; 3];
+            for (_, rows, lines) in self.fields() {
+                let line = &lines[one.node];
+                if rows.span(plane, row).contains(&k) && line[0] > 0.0 {
+                    for axis in 0..3 {
+                        force[axis] += line[0] * line[4 + axis] / kick;
+                    }
+                }
+            }
+            force
+        };
+        Ok(nodes.iter().map(force).collect())
+    }
+
+    /// The nodes of absorbing planes in their order, with impedances and stiffnesses.
+    fn absorbing_nodes(&self) -> Vec<AbsorbingNode> {
+        let settings = &self.model.settings;
+        let shape = &self.work.grid.shape;
+        let mut all: Vec<AbsorbingNode> = vec![];
+        for (axis, side) in settings.absorbing_planes() {
+            let ground = self.ground_at(axis, side);
+            let fullest = ground
+                .iter()
+                .fold(0.0_f64, |most, one| most.max(one.volume / one.area));
+            for one in ground.iter().filter(|one| one.mass > 0.0) {
+                // Ground covers a part of the cells around its edge.
+                let covered = (one.volume / one.area / fullest).min(1.0) * one.area;
+                let mut node = AbsorbingNode {
+                    node: one.node,
+                    ..AbsorbingNode::default()
+                };
+                for along in (0..shape.axes).filter(|along| !self.is_held(one.node, *along)) {
+                    let impedances = if along == axis {
+                        one.impedance[0]
+                    } else {
+                        one.impedance[1]
+                    };
+                    node.impedance[along] = covered * impedances / one.mass;
+                    if let Some(thickness) = settings.ground_beyond.thickness {
+                        let moduli = if along == axis {
+                            one.modulus[0]
+                        } else {
+                            one.modulus[1]
+                        };
+                        node.stiffness[along] = covered * moduli / one.mass / thickness;
+                    }
+                }
+                all.push(node);
+            }
+        }
+        all.sort_by_key(|one| one.node);
+        // A node of two planes bears what both bear.
+        all.dedup_by(|later, first| {
+            let same = later.node == first.node;
+            if same {
+                for axis in 0..3 {
+                    first.impedance[axis] += later.impedance[axis];
+                    first.stiffness[axis] += later.stiffness[axis];
+                }
+            }
+            same
+        });
+        all
+    }
+
+    /// The ground at the nodes of an absorbing plane, in the order of the nodes.
+    fn ground_at(&self, axis: usize, side: usize) -> Vec<Ground> {
+        let settings = &self.model.settings;
+        let (shape, mesh) = (&self.work.grid.shape, &settings.mesh);
+        let mut ground = plane_nodes(shape, axis, side);
+        let place = if side == 0 {
+            0.0
+        } else {
+            mesh.cells[axis] as f64 * mesh.cell[axis]
+        };
+        for (set, body) in self.state.sets.iter().zip(&self.model.bodies) {
+            let speeds = [
+                body.law.wave_speed(body.density),
+                body.law.shear_wave_speed(body.density),
+            ];
+            let x = &set.columns[Layout::POSITION + axis];
+            let near = (0..set.len()).filter(|p| (x[*p] - place).abs() < REACH * mesh.cell[axis]);
+            for p in near {
+                let mass = set.columns[Layout::MASS][p];
+                let volume = set.columns[Layout::VOLUME][p];
+                for &(node, weight) in node_weights(set, body, shape, self.state.stencil, p).iter()
+                {
+                    let Ok(at) = ground.binary_search_by_key(&node, |one| one.node) else {
+                        continue;
+                    };
+                    let one = &mut ground[at];
+                    one.mass += weight * mass;
+                    one.volume += weight * volume;
+                    for (i, c) in speeds.into_iter().enumerate() {
+                        one.impedance[i] += weight * mass * body.density * c;
+                        one.modulus[i] += weight * mass * body.density * c * c;
+                    }
+                }
+            }
+        }
+        ground
+    }
+
+    /// Whether the velocity of a node along an axis is prescribed by a plane or a held box, or the node lies beyond a plane.
+    fn is_held(&self, node: usize, along: usize) -> bool {
+        let settings = &self.model.settings;
+        let (shape, mesh) = (&self.work.grid.shape, &settings.mesh);
+        let at = shape.indices(node);
+        let by_plane = (0..shape.axes).any(|axis| {
+            [0, 1].into_iter().any(|side| {
+                let moves = (settings.base_motion.as_ref())
+                    .is_some_and(|base| (base.axis, base.side) == (axis, side));
+                lies_in(shape, at, axis, side)
+                    && (moves || mesh.planes[axis][side].prescribes(along, axis))
+            })
+        });
+        let number = |axis: usize| at[shape.direction(axis)] - GHOSTS_BELOW;
+        by_plane
+            || settings.held_boxes.iter().any(|held| {
+                (0..shape.axes).all(|axis| held.nodes_along(mesh, axis).contains(&number(axis)))
+            })
+    }
+}
+
+/// The ground at a node: sums over the particles that reach it.
+struct Ground {
+    node: usize,
+    /// Area of the plane that the node stands for \[m²\].
+    area: f64,
+    mass: f64,
+    volume: f64,
+    /// Mass times density times the speed of compression and of shear.
+    impedance: [f64; 2],
+    /// Mass times density times the square of those speeds.
+    modulus: [f64; 2],
+}
+
+/// The nodes of a plane of the mesh with their areas, increasing.
+fn plane_nodes(shape: &GridShape, axis: usize, side: usize) -> Vec<Ground> {
+    let mut all = vec![];
+    let counts: [usize; 3] = std::array::from_fn(|a| {
+        if a < shape.axes {
+            shape.cells[a] + 1
+        } else {
+            1
+        }
+    });
+    for x in 0..counts[0] {
+        for y in 0..counts[1] {
+            for z in 0..counts[2] {
+                let at = [x, y, z];
+                if at[axis] != side * shape.cells[axis] {
+                    continue;
+                }
+                let along = (0..shape.axes).filter(|other| *other != axis);
+                let widths = along.map(|other| {
+                    let is_edge = at[other] == 0 || at[other] == shape.cells[other];
+                    shape.cell[other] * if is_edge { 0.5 } else { 1.0 }
+                });
+                all.push(Ground {
+                    node: shape.index(shape.mesh_node(at)),
+                    area: widths.product(),
+                    mass: 0.0,
+                    volume: 0.0,
+                    impedance: [0.0; 2],
+                    modulus: [0.0; 2],
+                });
+            }
+        }
+    }
+    all.sort_by_key(|one| one.node);
+    all
+}
