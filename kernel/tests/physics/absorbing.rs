@@ -4,10 +4,11 @@ use crate::common::{
     APIC, DENSITY, FLIP, SCHEMES, body, cuboid, elastic, empty, material, simulation,
 };
 use crate::physics::contact::pair;
+use crate::physics::mortar;
 use proctor_scene::simulation::{Options, Simulation};
 use proctor_scene::{
-    BaseMotion, Dimension, History, InitialStress, Motion, PlaneCondition, Scene, StressScheme,
-    Transfer,
+    BaseMotion, Damping, Dimension, History, InitialStress, Motion, PlaneCondition, Scene,
+    StressScheme, Traction, Transfer,
 };
 use std::f64::consts::PI;
 
@@ -47,8 +48,12 @@ fn strip(cells: usize, along: usize, scheme: StressScheme, transfer: Transfer) -
 /// Energies of a strip that a pulse of so many cells enters through the lower plane, when it has gone to the upper one and would
 /// have come back. (A pulse of stress that is given to the particles leaves a part behind that no node feels.)
 fn after_pulse(cells: usize, along: usize, scheme: StressScheme, transfer: Transfer) -> Pulse {
-    let mut scene = strip(3 * cells, along, scheme, transfer);
-    let period = cells as f64 * CELL / speeds()[along];
+    let scene = strip(3 * cells, along, scheme, transfer);
+    pulse_through(scene, cells as f64 * CELL / speeds()[along], along)
+}
+
+/// The same of a strip that is three times as long as the pulse, for a pulse of that period \[s\].
+fn pulse_through(mut scene: Scene, period: f64, along: usize) -> Pulse {
     scene.ground_beyond.incoming = Some(BaseMotion {
         axis: 0,
         side: 0,
@@ -93,6 +98,44 @@ fn pulses_leave() {
                 transfer.kind
             );
         }
+    }
+}
+
+/// A strip that is half as wide as the mesh: its upper node has half a cell of ground beside it, and half a dashpot.
+#[test]
+fn a_dashpot_covers_the_ground_that_is_there() {
+    let mut scene = strip(60, 0, StressScheme::Usl, FLIP);
+    scene.mesh.cells[1] = 4;
+    scene.mesh.planes[1][1] = PlaneCondition::Free;
+    // Without lateral strain the upper side is free of stress.
+    scene.materials = vec![material(elastic(YOUNG, 0.0))];
+    let pulse = pulse_through(scene, 20.0 * CELL / (YOUNG / DENSITY).sqrt(), 0);
+    assert!(pulse.reflected < 2e-4, "{pulse:?}");
+}
+
+/// A load that stays moves the plane by what it presses the ground beyond together, p delta/(rho c²).
+#[test]
+fn springs_hold_a_load_that_stays() {
+    const THICKNESS: f64 = 3.0;
+    const PRESSURE: f64 = 1.0;
+    let mut scene = strip(20, 0, StressScheme::Usl, FLIP);
+    scene.mesh.planes[0][0] = PlaneCondition::Free;
+    scene.ground_beyond.thickness = Some(THICKNESS);
+    scene.tractions = vec![Traction {
+        p1: [0.0; 3],
+        p2: [0.0, 2.0 * CELL, 0.0],
+        traction: [PRESSURE, 0.0, 0.0].into(),
+    }];
+    scene.check().expect("the scene is sound");
+    let c = speeds()[0];
+    let mut simulation = simulation(&scene);
+    simulation
+        .run_until(20.0 * THICKNESS / c)
+        .expect("all steps");
+    let exact = PRESSURE * THICKNESS / (DENSITY * c * c);
+    for node in simulation.save().state.absorbing {
+        let off = node.displacement[0] / exact - 1.0;
+        assert!(off.abs() < 1e-3, "{node:?}, not {exact} m");
     }
 }
 
@@ -280,4 +323,34 @@ fn bits_depend_neither_on_threads_nor_on_where_a_run_was_cut() {
 /// Energy that left so far \[J\].
 fn absorbed(simulation: &Simulation) -> f64 {
     simulation.save().state.ledger.absorbed
+}
+
+/// What makes peaks that are not its own, stands on mirror images, or has no equation of motion.
+#[test]
+fn what_does_not_go_with_absorbing_planes_is_refused() {
+    let refused = |change: &dyn Fn(&mut Scene), words: &str| {
+        let mut scene = hit_block(FLIP, StressScheme::Usl);
+        change(&mut scene);
+        let error = scene.check().expect_err("refused").to_string();
+        assert!(error.contains(words), "{error}");
+    };
+    refused(&|scene| scene.damping = Damping::Kinetic, "kinetic damping");
+    refused(
+        &|scene| scene.bodies[0].motion = Some([0.0; 3].into()),
+        "prescribed_velocity",
+    );
+    refused(
+        &|scene| scene.mortar = mortar::collision(0.4).mortar,
+        "mortar contact",
+    );
+    refused(
+        &|scene| {
+            scene.base_motion = Some(BaseMotion {
+                axis: 1,
+                side: 0,
+                motion: Motion::Velocity([0.0; 3].into()),
+            });
+        },
+        "absorbs and moves",
+    );
 }

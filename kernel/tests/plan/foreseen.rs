@@ -85,6 +85,51 @@ fn sides_that_hold_shaken_ground_are_named() {
     }
 }
 
+/// Sides that absorb beside a base that shakes, rigid or compliant.
+#[test]
+fn sides_that_absorb_beside_a_shaken_base_are_named() {
+    for dimension in DIMENSIONS {
+        let up = dimension.axes() - 1;
+        let mut scene = shaken(dimension);
+        scene.mesh.planes[0] = [PlaneCondition::Absorbing; 2];
+        let words = ["plane_X0, plane_Xn", "\"antisymmetric\""];
+        assert!(warns(&scene, &words), "{:?}", warnings(&scene));
+        scene.ground_beyond.incoming = scene.base_motion.take();
+        scene.mesh.planes[up][0] = PlaneCondition::Absorbing;
+        assert!(warns(&scene, &words), "{:?}", warnings(&scene));
+        scene.mesh.planes[0] = [PlaneCondition::Sliding; 2];
+        assert!(
+            warns(&scene, &["plane_X0", "still"]),
+            "{:?}",
+            warnings(&scene)
+        );
+        scene.mesh.planes[0] = [PlaneCondition::Antisymmetric; 2];
+        assert_eq!(warnings(&scene), Vec::<String>::new());
+    }
+}
+
+/// Dashpots hold no weight.
+#[test]
+fn weight_without_stress_on_dashpots_is_named() {
+    for dimension in DIMENSIONS {
+        let up = dimension.axes() - 1;
+        let mut scene = ground(dimension);
+        scene.gravity[up] = -9.81;
+        scene.mesh.planes[up][0] = PlaneCondition::Absorbing;
+        assert!(
+            warns(&scene, &["sinks", "at_rest"]),
+            "{:?}",
+            warnings(&scene)
+        );
+        scene.bodies[0].initial_stress = InitialStress::AtRest {
+            ratio: 0.5,
+            level: 5.0,
+            surcharge: 0.0,
+        };
+        assert_eq!(warnings(&scene), Vec::<String>::new());
+    }
+}
+
 #[test]
 fn sides_that_carry_weight_are_named() {
     for dimension in DIMENSIONS {

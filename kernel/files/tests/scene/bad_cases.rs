@@ -333,6 +333,31 @@ pub(crate) const CASES: &[(&str, &str, &str)] = &[
         r#""time": 1.0, "earthquake": {"active": true, "file": "semicolon_plain.csv", "header": true}"#,
     ),
     (
+        "wave through a plane that does not absorb",
+        r#""time": 1.0"#,
+        r#""time": 1.0, "earthquake": {"active": true, "file": "comma_header.csv", "base": "compliant"}"#,
+    ),
+    (
+        "wave of a rigid base",
+        r#""time": 1.0"#,
+        r#""time": 1.0, "earthquake": {"active": true, "file": "comma_header.csv", "motion": "outcrop"}"#,
+    ),
+    (
+        "unknown base",
+        r#""time": 1.0"#,
+        r#""time": 1.0, "earthquake": {"active": true, "file": "comma_header.csv", "base": "soft"}"#,
+    ),
+    (
+        "springs without an absorbing plane",
+        r#""time": 1.0"#,
+        r#""time": 1.0, "absorbing_springs": -2"#,
+    ),
+    (
+        "absorbing planes with what they do not go with",
+        r#""cells_number": [4, 4, 4]"#,
+        r#""cells_number": [4, 4, 4], "boundary_conditions": {"plane_Z0": "absorbing"}}, "earthquake": {"active": true, "file": "comma_header.csv"}, "absorbing_springs": 0, "contact_manager": {"active": true"#,
+    ),
+    (
         "unknown base plane",
         r#""time": 1.0"#,
         r#""time": 1.0, "earthquake": {"active": true, "file": "comma_header.csv", "plane": "Z1"}"#,

@@ -86,6 +86,13 @@ fn of_fluid(axes: usize, keys: &Value) -> Value {
     scene
 }
 
+/// The block on an absorbing plane, with more keys.
+fn on_absorbing(more: &Value) -> Value {
+    let mut scene = with(3, &json!({}), more);
+    scene["mesh"]["boundary_conditions"]["plane_Z0"] = "absorbing".into();
+    scene
+}
+
 /// Two blocks that touch.
 fn two(axes: usize, more: &Value) -> Value {
     let mut scene = with(axes, &json!({}), more);
@@ -200,6 +207,8 @@ fn bases() -> Vec<Value> {
         with(3, &none, &json!({"terrain_contact": {"active": true, "stl_mesh": "floor.stl"}})),
         with(3, &none, &json!({"terrain_contact": {"active": true, "triangles": triangles}})),
         with(3, &none, &json!({"earthquake": {"active": true, "file": "record.csv"}})),
+        on_absorbing(&json!({"earthquake": {"active": true, "file": "record.csv", "base": "compliant"}})),
+        on_absorbing(&none),
         shaped(2, &json!({"type": "disc", "center": [1, 1], "radius": 0.5})),
         shaped(3, &json!({"type": "sphere", "center": [1, 1, 1], "radius": 0.5})),
         shaped(3, &json!({"type": "cylinder", "point_p1": [1, 1, 0], "point_p2": [1, 1, 1], "radius": 0.5})),

@@ -172,6 +172,31 @@ fn loads_results_and_probes() {
     assert_eq!(history.values, [[1.0, 2.0, 3.0], [-1e-3, 0.0, 0.25]]);
     let held = with(r#""held_box": [{"point_p1": [0, 0, 0], "point_p2": [0.5, 0, 0]}],"#);
     assert_eq!(held.held_boxes[0].p2, [0.5, 0.0, 0.0]);
+    let wave = |motion: &str| {
+        let scene = parse(&format!(
+            r#"{{"earthquake": {{
+                "active": true, "file": "comma_header.csv", "plane": "Xn", "base": "compliant"{motion}
+            }},
+            "absorbing_springs": 12.5, "time": 1, "mesh": {{
+                "cells_dimension": [0.5, 0.5, 0.5], "cells_number": [4, 4, 4],
+                "boundary_conditions": {{"plane_Xn": "absorbing"}}
+            }},
+            "materials": [{{"type": "elastic", "id": 3, "young": 1e6, "poisson": 0.3, "density": 1000}}],
+            "bodies": [{{"type": "cuboid", "id": 9, "material_id": 3, "point_p1": [0, 0, 0], "point_p2": [2, 1, 1]}}]}}"#
+        ));
+        assert_eq!(scene.mesh.planes[0][1], PlaneCondition::Absorbing);
+        assert!(scene.base_motion.is_none());
+        assert_eq!(scene.ground_beyond.thickness, Some(12.5));
+        let wave = scene.ground_beyond.incoming.expect("a wave");
+        assert_eq!((wave.axis, wave.side), (0, 1));
+        let Motion::Acceleration(history) = wave.motion else {
+            panic!("an acceleration is the default");
+        };
+        history.values[0]
+    };
+    // Half of the motion of an outcrop comes in.
+    assert_eq!(wave(""), [0.5, 1.0, 1.5]);
+    assert_eq!(wave(r#", "motion": "incoming""#), [1.0, 2.0, 3.0]);
     // What is switched off is not read.
     let off = with(r#""earthquake": {"active": false, "file": "nowhere.csv"},"#);
     assert!(off.base_motion.is_none());

@@ -3,7 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use proctor_files::json::{from_json, read, write, write_own};
-use proctor_scene::{ContactNormal, Scene, TimeStep};
+use proctor_scene::{
+    BaseMotion, ContactNormal, GroundBeyond, History, Motion, PlaneCondition, Scene, TimeStep,
+};
 
 /// Writes a scene and reads it back, in a folder with the files that it names.
 pub(crate) fn back(scene: &Scene) -> Scene {
@@ -73,6 +75,19 @@ fn every_choice_is_written() {
     scene.contacts[0].normal = ContactNormal::Slave;
     scene.contact_distance = Some(0.25);
     scene.bodies[0].velocity = [1.0, 2.0, 3.0];
+    assert_eq!(format!("{:?}", back(&scene)), format!("{scene:?}"));
+    scene.mesh.planes[2][0] = PlaneCondition::Absorbing;
+    scene.ground_beyond = GroundBeyond {
+        incoming: Some(BaseMotion {
+            axis: 2,
+            side: 0,
+            motion: Motion::Velocity(History {
+                times: vec![0.0, 0.5],
+                values: vec![[0.0, 0.25, 0.0], [1.0, 0.0, 0.0]],
+            }),
+        }),
+        thickness: Some(20.0),
+    };
     assert_eq!(format!("{:?}", back(&scene)), format!("{scene:?}"));
 }
 

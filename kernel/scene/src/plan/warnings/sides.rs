@@ -6,7 +6,8 @@ use proctor_kernel::model::{Motion, PlaneCondition};
 
 /// Bodies on a base that moves along planes which stand still: the planes hold them.
 pub(super) fn held_by_sides(scene: &Scene) -> Vec<String> {
-    let Some(base) = &scene.base_motion else {
+    let incoming = scene.ground_beyond.incoming.as_ref();
+    let Some(base) = scene.base_motion.as_ref().or(incoming) else {
         return vec![];
     };
     let (Motion::Acceleration(history) | Motion::Velocity(history)) = &base.motion;
@@ -54,6 +55,56 @@ pub(super) fn held_by_sides(scene: &Scene) -> Vec<String> {
         }
     }
     all
+}
+
+/// Bodies beside planes that absorb, where the base shakes: the sides stand still far away, while the ground there moves too.
+pub(super) fn absorbed_by_sides(scene: &Scene) -> Vec<String> {
+    let incoming = scene.ground_beyond.incoming.as_ref();
+    let Some(base) = scene.base_motion.as_ref().or(incoming) else {
+        return vec![];
+    };
+    let axes = scene.dimension.axes();
+    let sides = (0..axes).filter(|axis| *axis != base.axis);
+    let sides = sides.flat_map(|axis| [(axis, 0), (axis, 1)]);
+    let absorb = |(axis, side): &(usize, usize)| {
+        scene.mesh.planes[*axis][*side] == PlaneCondition::Absorbing
+    };
+    let names: Vec<String> = (sides.filter(absorb))
+        .map(|(axis, side)| plane(axis, side))
+        .collect();
+    if names.is_empty() {
+        return vec![];
+    }
+    vec![format!(
+        "{}: absorbing, beside a base that shakes. The dashpots hold the ground back as ground that stands still would, and take \
+         a part of the shaking near the sides; \"antisymmetric\" sides move as level ground beside them does",
+        names.join(", ")
+    )]
+}
+
+/// Bodies with weight but without stress on a plane that absorbs: nothing holds them, and they sink at a speed of g L/c.
+pub(super) fn sink_through_dashpots(scene: &Scene) -> Vec<String> {
+    let axes = scene.dimension.axes();
+    let Some(down) = (0..axes).find(|axis| scene.gravity[*axis] != 0.0) else {
+        return vec![];
+    };
+    let bottom = usize::from(scene.gravity[down] > 0.0);
+    if scene.mesh.planes[down][bottom] != PlaneCondition::Absorbing {
+        return vec![];
+    }
+    let sinks = |body: &&Body| {
+        body.initial_stress == InitialStress::None
+            && free_box(body).is_some_and(|bounds| at_plane(scene, &bounds, down, bottom))
+    };
+    let of = |body: &Body| {
+        format!(
+            "{}: has weight but no stress at the start on {}, whose dashpots hold no load that stays: it sinks; give it \
+             `initial_stress` \"at_rest\", or springs (`absorbing_springs`)",
+            name(body),
+            plane(down, bottom)
+        )
+    };
+    scene.bodies.iter().filter(sinks).map(of).collect()
 }
 
 /// Bodies whose weight comes on at the start between two sides that hold them upright: part of it hangs on the sides.
