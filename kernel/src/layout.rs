@@ -160,6 +160,36 @@ impl Layout {
             .map(|((variable, i), column)| (variable, i, column))
     }
 
+    /// The names of all columns, in their order; those of internal variables are their own.
+    #[must_use]
+    pub fn names(&self) -> Vec<String> {
+        let axes = self.axes;
+        let mut names = vec!["mass".to_owned(), "volume".to_owned()];
+        let mut add = |name: &str, width: usize| {
+            names.extend((1..=width).map(|i| format!("{name} {i}")));
+        };
+        add("position", axes);
+        add("velocity", axes);
+        add("stress", self.stress_components());
+        for (group, name, width) in [
+            (self.displacement_origin, "start", axes),
+            (self.deformation, "deformation gradient", axes * axes),
+            (self.affine, "affine velocity", axes * axes),
+            (self.half_length, "half-length", axes),
+            (self.initial_half_length, "initial half-length", axes),
+            (self.force, "force", axes),
+        ] {
+            if group.is_some() {
+                add(name, width);
+            }
+        }
+        names.extend(
+            self.components()
+                .map(|(variable, i, _)| variable.component(i)),
+        );
+        names
+    }
+
     /// Bytes of state per particle, identifier included.
     #[must_use]
     #[inline]

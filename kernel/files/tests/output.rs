@@ -9,6 +9,7 @@ mod folder;
 mod frames;
 mod history;
 mod mortar;
+mod start_state;
 mod summary;
 mod whole;
 mod yielding;

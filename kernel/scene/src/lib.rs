@@ -35,7 +35,7 @@ mod values;
 
 pub use values::{
     Body, BodyEntry, Field, InitialStress, Location, MOST_CREEP, Material, NodalField, Probe,
-    Problem, Results, Scene, SceneError,
+    Problem, Results, Scene, SceneError, StateFile,
 };
 // What a scene is made of beside its own values.
 pub use proctor_contact::{
@@ -52,7 +52,9 @@ pub use proctor_kernel::model::{
 pub mod simulation {
     pub use crate::plan::plan;
     pub use crate::running::Simulation;
-    pub use crate::setup::{InitialField, InitialState, MemoryEstimate, Options, estimate_memory};
+    pub use crate::setup::{
+        InitialField, InitialState, MemoryEstimate, Options, StartBody, StartState, estimate_memory,
+    };
     pub use crate::start_error::StartError;
     pub use proctor_contact::{
         BoundaryDrift, BoundaryMesh, BoundaryVertex, MortarError, SurfaceContactError, Tunnelling,

@@ -126,6 +126,7 @@ pub fn empty(dimension: Dimension, cells: [usize; 3], h: f64) -> Scene {
         volumetric_strain: VolumetricStrain::Particle,
         materials: vec![material(ELASTIC)],
         bodies: vec![],
+        initial_state: None,
         surfaces: vec![],
         damping: Damping::None,
         base_motion: None,

@@ -4,9 +4,9 @@
 use std::path::Path;
 
 use super::elsewhere;
-use super::keys::RawScene;
-use super::words::{listed, meaning, nearest};
-use proctor_scene::{Dimension, Problem, Scene, SceneError, Vector};
+use super::keys::{RawInitialState, RawScene};
+use super::words::{START_VELOCITIES, listed, meaning, nearest};
+use proctor_scene::{Dimension, Problem, Scene, SceneError, StateFile, Vector};
 
 /// A scene under construction.
 pub(super) struct Build<'a> {
@@ -58,11 +58,40 @@ impl<'a> Build<'a> {
         scene.threads = raw.n_threads;
         scene.materials = self.materials(raw);
         scene.bodies = self.bodies(raw, &scene.materials);
+        scene.initial_state = self.initial_state(raw.initial_state.as_ref());
         self.loads(raw, &mut scene);
         self.boundaries(raw, &mut scene);
         self.contacts(raw, &mut scene);
         scene.surfaces = self.surfaces(raw, &scene.mesh);
         scene
+    }
+
+    /// The run from whose end bodies begin; its file is read when the scene runs.
+    fn initial_state(&mut self, raw: Option<&RawInitialState>) -> Option<StateFile> {
+        let raw = raw?;
+        let keeps_velocity = self.word_or(
+            "initial_state.velocity",
+            raw.velocity.as_ref(),
+            START_VELOCITIES,
+            false,
+        );
+        let Some(name) = &raw.file else {
+            let accepted = "the path of a checkpoint, or of the folder of a run";
+            self.missing("initial_state.file", accepted);
+            return None;
+        };
+        let file = self.folder.join(name);
+        if !file.exists() {
+            self.add(
+                "initial_state.file",
+                format!("{name:?}, where there is no file"),
+                "a checkpoint, or the folder of a run that has one",
+            );
+        }
+        Some(StateFile {
+            file,
+            keeps_velocity,
+        })
     }
 
     /// A second phase is part of the manuals' language, so it is refused by name rather than as

@@ -161,6 +161,9 @@ pub(super) const RECORDED_MOTIONS: Words<RecordedMotion> = &[
     ("incoming", RecordedMotion::Incoming),
 ];
 
+/// Whether bodies keep the velocity of another run.
+pub(super) const START_VELOCITIES: Words<bool> = &[("zero", false), ("kept", true)];
+
 pub(super) const OUTSIDES: Words<Outside> = &[("stop", Outside::Stop), ("remove", Outside::Remove)];
 
 pub(super) const ON_IMBALANCE: Words<OnImbalance> =

@@ -16,6 +16,7 @@ mod error;
 mod files;
 mod grid;
 mod history;
+mod start_state;
 mod state;
 
 pub use error::RunError;
@@ -33,6 +34,7 @@ use proctor_scene::simulation::{
 use proctor_scene::{Scene, TimeStep};
 use serde_json::{Value, json};
 use std::path::Path;
+use std::sync::Arc;
 
 /// Whether a run goes on after a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,7 +55,7 @@ pub struct Run {
 
 impl Run {
     /// Sets up a simulation, and in `folder`, if given, its files with the state at the start. With `restart`
-    /// the state comes from a checkpoint of the same scene, and files in the folder are continued; without it what the
+    /// the state comes from a checkpoint of the same scene, not from the run that the scene begins from, and files in the folder are continued; without it what the
     /// lists of an earlier run name there is taken away. The folder belongs to this run until it is dropped.
     ///
     /// # Errors
@@ -64,7 +66,23 @@ impl Run {
         folder: Option<&Path>,
         restart: Option<&Path>,
     ) -> Result<Self, RunError> {
-        let mut simulation = Simulation::new(scene, options)?;
+        let start = match restart {
+            None => start_state::read(scene)?,
+            Some(_) => None,
+        };
+        let mut simulation = match start {
+            None => Simulation::new(scene, options)?,
+            Some(start) => {
+                let start = Some(Arc::new(start));
+                Simulation::new(
+                    scene,
+                    &Options {
+                        start,
+                        ..options.clone()
+                    },
+                )?
+            }
+        };
         if let Some(path) = restart {
             let checkpoint = Checkpoint::read(path)?;
             checkpoint.check_fingerprint(state::fingerprint(scene))?;

@@ -39,6 +39,10 @@ pub(super) fn save(simulation: &Simulation) -> Checkpoint {
     let mut checkpoint = Checkpoint::new(fingerprint(simulation.scene()));
     checkpoint.push::<u64>("counters", counters(&saved.state).to_vec());
     checkpoint.push::<f64>("numbers", numbers(&saved.state).to_vec());
+    let mesh = &simulation.scene().mesh;
+    checkpoint.push::<f64>("mesh", [mesh.origin, mesh.cell].concat());
+    let bodies = simulation.scene().bodies.iter();
+    checkpoint.push::<i64>("bodies", bodies.map(|body| body.id).collect());
     let state = saved.state;
     for (i, (set, found)) in state.sets.into_iter().zip(state.found).enumerate() {
         checkpoint.push::<f64>(
@@ -50,6 +54,11 @@ pub(super) fn save(simulation: &Simulation) -> Checkpoint {
                 found.half_length,
                 found.increment_squared,
             ],
+        );
+        let names = set.layout.names().join("\n");
+        checkpoint.push::<u64>(
+            format!("set{i}/names"),
+            names.bytes().map(u64::from).collect(),
         );
         checkpoint.push::<u64>(format!("set{i}/id"), set.id);
         checkpoint.push::<u64>(
@@ -75,6 +84,12 @@ pub(super) fn save(simulation: &Simulation) -> Checkpoint {
     ];
     checkpoint.push::<f64>("extremes/numbers", extremes);
     checkpoint
+}
+
+/// Text that was written as its bytes.
+pub(super) fn text(bytes: &[u64]) -> String {
+    let bytes: Vec<u8> = bytes.iter().map(|byte| *byte as u8).collect();
+    String::from_utf8_lossy(&bytes).into_owned()
 }
 
 /// Puts the state of a checkpoint, whose fingerprint was compared, into a simulation of the same scene.

@@ -16,6 +16,8 @@ fn folder() -> TempDir {
         ("records/particles.csv", "particles.csv"),
         ("surfaces/plane.stl", "floor.stl"),
         ("surfaces/cube.stl", "block.stl"),
+        // Read when the scene runs.
+        ("surfaces/cube.stl", "checkpoint.bin"),
     ] {
         std::fs::copy(fixtures.join(from), folder.path().join(to)).expect("a fixture");
     }
@@ -209,6 +211,7 @@ fn bases() -> Vec<Value> {
         with(3, &none, &json!({"earthquake": {"active": true, "file": "record.csv"}})),
         on_absorbing(&json!({"earthquake": {"active": true, "file": "record.csv", "base": "compliant"}})),
         on_absorbing(&none),
+        with(3, &none, &json!({"initial_state": {"file": "checkpoint.bin"}})),
         shaped(2, &json!({"type": "disc", "center": [1, 1], "radius": 0.5})),
         shaped(3, &json!({"type": "sphere", "center": [1, 1, 1], "radius": 0.5})),
         shaped(3, &json!({"type": "cylinder", "point_p1": [1, 1, 0], "point_p2": [1, 1, 1], "radius": 0.5})),

@@ -4,9 +4,11 @@ mod initial_stress;
 mod memory_budget;
 mod memory_estimate;
 mod options;
+mod start_state;
 
 pub use memory_estimate::{MemoryEstimate, estimate_memory};
 pub use options::{InitialField, InitialState, Options};
+pub use start_state::{StartBody, StartState};
 
 use crate::plan::{PlanOptions, plan};
 use crate::values::Scene;
@@ -88,6 +90,9 @@ pub(crate) fn set_up(scene: &Scene, options: &Options) -> Result<Cycle, SetupErr
             reason,
         })?;
     }
+    if let Some(start) = &options.start {
+        start_state::take_all(&mut sets, &mut all_found, scene, start)?;
+    }
     memory_budget::layers(scene, &shape, &sets, &mut memory)?;
     let team = team(scene, options, next_id as usize)?;
     let mut interactions =
@@ -112,7 +117,7 @@ pub(crate) fn set_up(scene: &Scene, options: &Options) -> Result<Cycle, SetupErr
         interactions,
         team,
         least_share: options.least_share,
-        is_undeformed: options.initial.is_none(),
+        is_undeformed: options.initial.is_none() && options.start.is_none(),
     };
     Cycle::new(model, start)
 }

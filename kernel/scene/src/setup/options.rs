@@ -1,5 +1,6 @@
 //! Options of a simulation beyond its scene.
 
+use super::start_state::StartState;
 use proctor_geometry::memory::Memory;
 use proctor_geometry::team::Team;
 use proctor_kernel::lanes::LaneChoice;
@@ -79,6 +80,8 @@ pub struct Options {
     pub body_force: Option<BodyForce>,
     /// Initial state, for manufactured solutions.
     pub initial: Option<InitialField>,
+    /// Bodies as another run left them, in the place of those with which the scene fills them.
+    pub start: Option<Arc<StartState>>,
     /// Conditions at the nodes beside those of the scene. They act after those.
     pub conditions: Vec<Arc<dyn Condition>>,
     /// Interactions of velocity fields beside those of the scene. They act after those.

@@ -13,6 +13,7 @@ mod initial_stress;
 mod material;
 mod mortar;
 mod results;
+mod state_file;
 
 pub use body::Body;
 pub use build::BodyEntry;
@@ -21,6 +22,7 @@ pub use initial_stress::InitialStress;
 pub use material::Material;
 pub use mortar::MOST_CREEP;
 pub use results::{Field, NodalField, Probe, Results};
+pub use state_file::StateFile;
 
 use proctor_contact::{Contact, ContactValues, Mortar, PlannedBody, RigidSurface};
 use proctor_kernel::laws::AnyLaw;
@@ -57,6 +59,8 @@ pub struct Scene {
     pub materials: Vec<Material>,
     /// Bodies, in the order of the file.
     pub bodies: Vec<Body>,
+    /// The run from whose end bodies begin, if any.
+    pub initial_state: Option<StateFile>,
     /// Rigid surfaces (3D), the terrain among them.
     pub surfaces: Vec<RigidSurface>,
     /// Numerical damping.
@@ -117,6 +121,7 @@ impl Scene {
             volumetric_strain: VolumetricStrain::Particle,
             materials: Vec::new(),
             bodies: Vec::new(),
+            initial_state: None,
             surfaces: Vec::new(),
             damping: Damping::None,
             base_motion: None,
@@ -184,7 +189,8 @@ impl Scene {
             tractions: self.tractions.clone(),
             box_loads: self.box_loads.clone(),
             drives_bodies: bodies.clone().any(|body| body.motion.is_some()),
-            starts_stressed: bodies.any(|body| body.initial_stress != InitialStress::None),
+            starts_stressed: self.initial_state.is_some()
+                || bodies.any(|body| body.initial_stress != InitialStress::None),
             outside: self.outside,
             on_imbalance: self.on_imbalance,
         }

@@ -169,6 +169,12 @@ pub(super) struct RawScene {
         "examples" = [[{"type": "sphere", "id": 1, "material_id": 1, "center": [0.5, 0.5, 0.5], "radius": 0.4}]]
     ))]
     pub bodies: Option<Entries<RawBody>>,
+    /// Run from whose end bodies begin, each as the body of the same `id` there: positions, stresses, deformations and
+    /// internal variables. Other bodies begin as they are given, and bodies of that run that the scene lacks are left out.
+    #[schemars(extend(
+        "x-default" = "bodies begin as they are given", "examples" = [{"file": "checkpoint.bin"}]
+    ))]
+    pub initial_state: Option<RawInitialState>,
     /// Boxes in which all nodes of the mesh stand still.
     #[schemars(extend(
         "x-default" = "none", "examples" = [[{"point_p1": [0, 0, 0], "point_p2": [0.5, 0, 0]}]]
@@ -255,6 +261,22 @@ pub(super) struct RawDamping {
         "x-unit" = "1", "x-also" = "value", "minimum" = 0, "examples" = [0.05]
     ))]
     pub alpha: Option<f64>,
+    /// Words for people, in every object: one text or a list of them. Nothing reads them.
+    #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
+    #[expect(dead_code, reason = "words for people")]
+    pub comment: Option<Comment>,
+}
+
+/// Start from the end of another run.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, expecting = "an object with `file`")]
+pub(super) struct RawInitialState {
+    /// Checkpoint, or folder of a run with one; a path relative to the folder of the scene.
+    #[schemars(extend("x-needed" = true, "x-file" = true, "examples" = ["checkpoint.bin"]))]
+    pub file: Option<String>,
+    /// Velocity of the bodies at the start.
+    #[schemars(extend("enum" = ["zero", "kept"], "default" = "zero", "examples" = ["kept"]))]
+    pub velocity: Option<String>,
     /// Words for people, in every object: one text or a list of them. Nothing reads them.
     #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
     #[expect(dead_code, reason = "words for people")]

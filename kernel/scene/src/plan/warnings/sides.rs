@@ -89,7 +89,9 @@ pub(super) fn sink_through_dashpots(scene: &Scene) -> Vec<String> {
         return vec![];
     };
     let bottom = usize::from(scene.gravity[down] > 0.0);
-    if scene.mesh.planes[down][bottom] != PlaneCondition::Absorbing {
+    // A state of another run has its stress.
+    if scene.initial_state.is_some() || scene.mesh.planes[down][bottom] != PlaneCondition::Absorbing
+    {
         return vec![];
     }
     let sinks = |body: &&Body| {
@@ -119,7 +121,9 @@ pub(super) fn carried_by_sides(scene: &Scene) -> Vec<String> {
         let bounds = free_box(body)?;
         let law = &scene.materials.get(body.material)?.law;
         // The stress of ground at rest needs no sides; a fluid sticks to its walls.
-        let comes_on = body.initial_stress == InitialStress::None && !law.is_fluid();
+        let comes_on = body.initial_stress == InitialStress::None
+            && scene.initial_state.is_none()
+            && !law.is_fluid();
         let rests = scene.mesh.planes[down][bottom] != PlaneCondition::Free
             && holds(down, bottom)
             && at_plane(scene, &bounds, down, bottom);
