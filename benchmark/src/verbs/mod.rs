@@ -29,8 +29,8 @@ use crate::exit::{Failure, Outcome};
 use crate::say::say;
 pub use amount::Amount;
 use clap::Subcommand;
-use proctor_files::json::{SceneSource, SourceMap};
-use proctor_scene::Scene;
+use proctor_files::json::{SceneSource, SourceMap, Stage};
+use proctor_scene::{Scene, SceneError};
 use std::io::{IsTerminal, Write};
 use std::path::Path;
 
@@ -108,16 +108,26 @@ const STANDARD_INPUT: &str = "-";
 
 /// A scene from a file, or with `-` from standard input, and the places of its values; or all that is wrong with it.
 fn scene(path: &Path) -> Result<(Scene, SourceMap), Failure> {
-    let source = if path.as_os_str() == STANDARD_INPUT {
-        let input = std::io::stdin();
-        if input.is_terminal() {
-            say!("reading a scene from standard input, to its end");
-        }
-        SceneSource::stream("stdin", Path::new(""), input.lock())
-    } else {
-        SceneSource::file(path)
-    };
-    source
+    source(path)
         .and_then(SceneSource::scene)
         .map_err(Failure::bad_input)
+}
+
+/// Reads a scene and its stages; one without a name where it has none.
+fn stages(path: &Path) -> Result<Vec<Stage>, Failure> {
+    source(path)
+        .and_then(SceneSource::stages)
+        .map_err(Failure::bad_input)
+}
+
+/// The text of a scene.
+fn source(path: &Path) -> Result<SceneSource, SceneError> {
+    if path.as_os_str() != STANDARD_INPUT {
+        return SceneSource::file(path);
+    }
+    let input = std::io::stdin();
+    if input.is_terminal() {
+        say!("reading a scene from standard input, to its end");
+    }
+    SceneSource::stream("stdin", Path::new(""), input.lock())
 }

@@ -1,11 +1,13 @@
 //! `proctor plan`: what a scene needs.
 
-use super::scene;
+use super::stages;
 use crate::exit::{Failure, Outcome};
 use crate::say::say;
 use crate::show::{Table, bytes, grouped};
 use clap::Args;
+use proctor_files::json::SourceMap;
 use proctor_kernel::memory::{Memory, words};
+use proctor_scene::Scene;
 use proctor_scene::simulation::{Options, Simulation, estimate_memory};
 use std::io::Write;
 use std::path::PathBuf;
@@ -25,60 +27,70 @@ const LARGE: f64 = 1e9;
 
 impl Plan {
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
-        let (scene, places) = scene(&self.scene)?;
-        let options = Options {
-            threads: Some(1),
-            ..Options::default()
-        };
-        let asked = estimate_memory(&scene);
-        if asked.bytes > LARGE {
-            say!(
-                "about {} particles and {} nodes, which need {} of the {} that are free",
-                grouped(asked.particles as u64),
-                grouped(asked.nodes as u64),
-                words(asked.bytes),
-                words(Memory::of_machine().bytes() as f64)
-            );
+        for (number, stage) in stages(&self.scene)?.iter().enumerate() {
+            if number > 0 {
+                writeln!(out)?;
+            }
+            show(&stage.scene, &stage.places, out)?;
         }
-        let simulation = Simulation::new(&scene, &options)
-            .map_err(|error| Failure::BadInput(places.of_setup(&error)))?;
-        let plan = simulation.plan();
-        writeln!(out, "scene {}", scene.name)?;
-        writeln!(out, "{plan}")?;
-        let mut table = Table::new(["body", "particles", "state"]);
-        for ((body, set), layout) in scene
-            .bodies
-            .iter()
-            .zip(simulation.sets())
-            .zip(&plan.layouts)
-        {
-            let particles = set.len();
-            let name = if body.name.is_empty() {
-                body.id.to_string()
-            } else {
-                body.name.clone()
-            };
-            table.push([
-                name,
-                grouped(particles as u64),
-                bytes((particles * layout.bytes_per_particle()) as u64),
-            ]);
-        }
-        write!(out, "\n{table}")?;
-        let axes = scene.dimension.axes();
-        let nodes: u64 = scene.mesh.cells[..axes]
-            .iter()
-            .map(|&cells| cells as u64 + 1)
-            .product();
-        let active = simulation.nodes_active() as u64;
-        let mut table = Table::new(["mesh", "nodes", "state"]);
-        table.push(["whole".to_owned(), grouped(nodes)]);
-        table.push([
-            "held, with a border".to_owned(),
-            grouped(active),
-            bytes(active * plan.bytes_per_node() as u64),
-        ]);
-        write!(out, "\n{table}")?;
         Ok(Outcome::Fine)
     }
+}
+
+/// Shows the plan of a scene, or of one stage.
+fn show(scene: &Scene, places: &SourceMap, out: &mut dyn Write) -> Result<(), Failure> {
+    let options = Options {
+        threads: Some(1),
+        ..Options::default()
+    };
+    let asked = estimate_memory(scene);
+    if asked.bytes > LARGE {
+        say!(
+            "about {} particles and {} nodes, which need {} of the {} that are free",
+            grouped(asked.particles as u64),
+            grouped(asked.nodes as u64),
+            words(asked.bytes),
+            words(Memory::of_machine().bytes() as f64)
+        );
+    }
+    let simulation = Simulation::new(scene, &options)
+        .map_err(|error| Failure::BadInput(places.of_setup(&error)))?;
+    let plan = simulation.plan();
+    writeln!(out, "scene {}", scene.name)?;
+    writeln!(out, "{plan}")?;
+    let mut table = Table::new(["body", "particles", "state"]);
+    for ((body, set), layout) in scene
+        .bodies
+        .iter()
+        .zip(simulation.sets())
+        .zip(&plan.layouts)
+    {
+        let particles = set.len();
+        let name = if body.name.is_empty() {
+            body.id.to_string()
+        } else {
+            body.name.clone()
+        };
+        table.push([
+            name,
+            grouped(particles as u64),
+            bytes((particles * layout.bytes_per_particle()) as u64),
+        ]);
+    }
+    write!(out, "\n{table}")?;
+    let axes = scene.dimension.axes();
+    let nodes: u64 = scene.mesh.cells[..axes]
+        .iter()
+        .map(|&cells| cells as u64 + 1)
+        .product();
+    let active = simulation.nodes_active() as u64;
+    let mut table = Table::new(["mesh", "nodes", "state"]);
+    table.push(["whole".to_owned(), grouped(nodes)]);
+    table.push([
+        "held, with a border".to_owned(),
+        grouped(active),
+        bytes(active * plan.bytes_per_node() as u64),
+    ]);
+    write!(out, "\n{table}")?;
+    Ok(())
 }

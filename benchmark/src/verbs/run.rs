@@ -2,15 +2,15 @@
 
 mod report;
 
-use super::scene;
 use super::settings::{Settings, bounded};
+use super::stages;
 use crate::exit::{Failure, Outcome};
 use crate::interrupt::Interrupt;
 use crate::measure::Stopwatch;
 use crate::progress::Progress;
 use crate::say::say;
 use clap::Args;
-use proctor_files::json::SourceMap;
+use proctor_files::json::{SourceMap, Stage};
 use proctor_files::output::summary::{SUMMARY, Status};
 use proctor_files::output::{OutputFolder, Summary};
 use proctor_files::run::{Run as KernelRun, RunControl, RunError};
@@ -18,14 +18,14 @@ use proctor_scene::simulation::{Bound, StepInfo};
 use report::Report;
 use std::collections::BTreeMap;
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Run a scene; write frames, history and a summary.
 ///
 /// Into DIR go frames (particles.pvd lists them for viewers), history.csv, checkpoint.bin and
 /// summary.json, each of them whole at any moment. Without --out nothing is written. DIR belongs to one run at a time; what
 /// the lists of an earlier run name there is taken away, unless --restart goes on with it, and frames that no list names are
-/// refused. Ctrl-C and SIGTERM finish the step and write the summary; a second one ends at once.
+/// refused. A scene with stages has a folder in DIR for each. Ctrl-C and SIGTERM finish the step and write the summary; a second one ends at once.
 #[derive(Args)]
 #[command(
     after_help = "Example: proctor run fixtures/scenes/manual/boussinesq.json --out out\n\
@@ -55,21 +55,58 @@ struct Tally {
 
 impl Run {
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
-        let (scene, places) = scene(&self.scene)?;
+        let stages = stages(&self.scene)?;
+        let interrupt = Interrupt::listen()?;
+        if let [Stage { name, .. }] = &stages[..]
+            && name.is_empty()
+        {
+            return self.run_stage(&stages[0], self.out.as_deref(), &interrupt, out);
+        }
+        let Some(folder) = &self.out else {
+            return Err(Failure::BadInput(format!(
+                "{}: stages go on from each other's files: --out FOLDER is needed",
+                self.scene.display()
+            )));
+        };
+        if self.restart.is_some() {
+            return Err(Failure::BadInput(format!(
+                "{}: --restart goes on with a scene of one stage; accepted: no --restart, or a scene without stages that \
+                 begins from the stage before by `initial_state`",
+                self.scene.display()
+            )));
+        }
+        let mut before: Option<PathBuf> = None;
+        for (number, mut stage) in stages.into_iter().enumerate() {
+            if let (Some(state), Some(before)) = (&mut stage.scene.initial_state, before) {
+                state.file = before;
+            }
+            let own = folder.join(format!("{}-{}", number + 1, stage.name));
+            writeln!(out, "stage {}", stage.name)?;
+            let outcome = self.run_stage(&stage, Some(&own), &interrupt, out)?;
+            if outcome != Outcome::Fine {
+                return Ok(outcome);
+            }
+            before = Some(own);
+        }
+        Ok(Outcome::Fine)
+    }
+
+    /// Runs a scene, or one stage of it.
+    fn run_stage(
+        &self,
+        Stage { scene, places, .. }: &Stage,
+        folder: Option<&Path>,
+        interrupt: &Interrupt,
+        out: &mut dyn Write,
+    ) -> Result<Outcome, Failure> {
         let options = self.settings.options()?;
         if let (None, Some(threads)) = (options.threads, scene.threads) {
             let key = format!("{}: n_threads", self.scene.display());
             bounded(&key, threads)?;
         }
-        let interrupt = Interrupt::listen()?;
-        let mut run = KernelRun::start(
-            &scene,
-            &options,
-            self.out.as_deref(),
-            self.restart.as_deref(),
-        )
-        .map_err(|error| Failure::BadInput(told(&places, &error)))?;
-        if self.out.is_none() {
+        let mut run = KernelRun::start(scene, &options, folder, self.restart.as_deref())
+            .map_err(|error| Failure::BadInput(told(places, &error)))?;
+        if folder.is_none() {
             // Now, and not after a run of hours.
             say!(
                 "nothing will be written; for frames, histories and a summary: proctor run {} --out FOLDER",
@@ -81,11 +118,11 @@ impl Run {
         }
         let first = run.simulation().steps();
         let mut tally = Tally::default();
-        let fault = drive(&mut run, &mut tally, &interrupt);
+        let fault = drive(&mut run, &mut tally, interrupt);
         let mut summary = run.summary();
         if let Some(fault) = fault {
             summary.status = Status::Failed;
-            say!("{}", told(&places, &fault));
+            say!("{}", told(places, &fault));
             summary.error = Some(fault.to_string());
         }
         let spent = tally.stopwatch.spent;

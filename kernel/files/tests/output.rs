@@ -11,6 +11,7 @@ mod history;
 mod mortar;
 mod start_state;
 mod summary;
+mod until;
 mod whole;
 mod yielding;
 

@@ -117,6 +117,7 @@ pub fn empty(dimension: Dimension, cells: [usize; 3], h: f64) -> Scene {
         name: "test".into(),
         dimension,
         time: 1.0,
+        until: None,
         time_step: TimeStep::Automatic,
         gravity: [0.0; 3],
         mesh: mesh(dimension, cells, h),

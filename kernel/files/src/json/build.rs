@@ -46,6 +46,13 @@ impl<'a> Build<'a> {
             }
         };
         self.refuse_what_is_not_built(raw);
+        if let Some(stages) = &raw.stages {
+            self.add(
+                "stages",
+                format!("{} stages", stages.len()),
+                "a scene of one stage; `run` and `plan` take a scene with stages",
+            );
+        }
         let mesh = self.mesh(raw.mesh.as_ref());
         let time = self.number(
             "time",
@@ -58,6 +65,14 @@ impl<'a> Build<'a> {
         scene.threads = raw.n_threads;
         scene.materials = self.materials(raw);
         scene.bodies = self.bodies(raw, &scene.materials);
+        if let Some(until) = &raw.until {
+            let share = self.number(
+                "until.unbalanced_force",
+                until.unbalanced_force,
+                "a share of the weight, a number greater than 0",
+            );
+            scene.until = Some(share);
+        }
         scene.initial_state = self.initial_state(raw.initial_state.as_ref());
         self.loads(raw, &mut scene);
         self.boundaries(raw, &mut scene);
@@ -291,7 +306,7 @@ pub(super) fn join(parent: &str, key: &str) -> String {
 }
 
 /// Whether `path` is `prefix` or lies below it.
-fn reaches(prefix: &str, path: &str) -> bool {
+pub(super) fn reaches(prefix: &str, path: &str) -> bool {
     path.strip_prefix(prefix)
         .is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
 }

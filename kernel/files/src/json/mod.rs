@@ -20,6 +20,7 @@ mod parse;
 pub mod position;
 mod shapes;
 mod source;
+mod stages;
 mod surfaces;
 mod tree;
 mod words;
@@ -37,6 +38,7 @@ pub use self::glossary::{Key, KeyBlock, KeyDefault, Range, blocks, schema};
 pub use self::own::write_own;
 pub use self::parse::parse;
 pub use self::source::{SceneSource, SourceMap, unreadable};
+pub use self::stages::Stage;
 pub use self::words::{listed, nearest, words_of};
 pub use self::write::{NotWritten, SceneWriter, write};
 

@@ -45,6 +45,21 @@ impl SceneSource {
         Ok(Self { name, text, folder })
     }
 
+    /// The text.
+    pub(super) fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// Its name in messages.
+    pub(super) fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Folder of the files that it names.
+    pub(super) fn folder(&self) -> &Path {
+        &self.folder
+    }
+
     /// The scene, and where its values stand.
     ///
     /// # Errors
@@ -52,20 +67,7 @@ impl SceneSource {
     pub fn scene(self) -> Result<(Scene, SourceMap), SceneError> {
         let (mut scene, spellings) = placed(&self.text, &self.name, &self.folder)?;
         scene.name = scene.name.trim_matches(['<', '>']).to_owned();
-        let places = SourceMap {
-            source: self,
-            spellings,
-            bodies: (scene.bodies.iter())
-                .map(|body| (body.name.clone(), body.id))
-                .collect(),
-            contacts: (scene.contacts.iter())
-                .map(|contact| ([contact.master, contact.slave], contact.name.clone()))
-                .chain(
-                    (scene.mortar.contacts.iter())
-                        .map(|contact| ([contact.master, contact.slave], contact.name.clone())),
-                )
-                .collect(),
-        };
+        let places = SourceMap::new(self, spellings, &scene);
         Ok((scene, places))
     }
 }
@@ -83,6 +85,28 @@ pub struct SourceMap {
 }
 
 impl SourceMap {
+    /// Of a scene that was read from a text.
+    pub(super) fn new(
+        source: SceneSource,
+        spellings: Vec<(String, String)>,
+        scene: &Scene,
+    ) -> Self {
+        Self {
+            source,
+            spellings,
+            bodies: (scene.bodies.iter())
+                .map(|body| (body.name.clone(), body.id))
+                .collect(),
+            contacts: (scene.contacts.iter())
+                .map(|contact| ([contact.master, contact.slave], contact.name.clone()))
+                .chain(
+                    (scene.mortar.contacts.iter())
+                        .map(|contact| ([contact.master, contact.slave], contact.name.clone())),
+                )
+                .collect(),
+        }
+    }
+
     /// Name of the text in messages.
     #[must_use]
     pub fn name(&self) -> &str {

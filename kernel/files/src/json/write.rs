@@ -62,6 +62,7 @@ pub fn write(scene: &Scene) -> Result<SceneWriter, NotWritten> {
         "a rigid line or surface of mortar contact",
     )?;
     refuse(scene.initial_state.is_some(), "a start from another run")?;
+    refuse(scene.until.is_some(), "an end by the balance of forces")?;
     refuse(!scene.probes.is_empty(), "a probe")?;
     refuse(
         scene.volumetric_strain != VolumetricStrain::Particle,

@@ -45,11 +45,16 @@ pub enum RunControl {
     Stop,
 }
 
+/// Steps between two looks at the balance of forces, each of which costs a step.
+const STEPS_PER_LOOK: u64 = 50;
+
 /// A simulation with its files.
 pub struct Run {
     simulation: Simulation,
     files: Option<Files>,
     interrupted: bool,
+    /// Forces came into balance, where the run ends by that.
+    balanced: bool,
     failure: Option<StepError>,
 }
 
@@ -101,6 +106,7 @@ impl Run {
             simulation,
             files,
             interrupted: false,
+            balanced: false,
             failure: None,
         })
     }
@@ -114,7 +120,7 @@ impl Run {
     /// The next output time \[s\], or `None` at the end.
     #[must_use]
     pub fn next_stop(&self) -> Option<f64> {
-        if self.interrupted || self.failure.is_some() {
+        if self.interrupted || self.balanced || self.failure.is_some() {
             return None;
         }
         let scene = self.simulation.scene();
@@ -160,6 +166,10 @@ impl Run {
                             self.interrupted = true;
                             return Ok(());
                         }
+                        if info.step % STEPS_PER_LOOK == 0 && self.is_balanced() {
+                            self.balanced = true;
+                            return Ok(());
+                        }
                     }
                     Err(error) => {
                         self.failure = Some(error.clone());
@@ -168,6 +178,15 @@ impl Run {
                 }
             }
             Ok(())
+        })
+    }
+
+    /// Whether forces are in balance, where the scene ends by that.
+    fn is_balanced(&mut self) -> bool {
+        let until = self.simulation.scene().until;
+        until.is_some_and(|until| {
+            let share = self.simulation.unbalanced_share();
+            share.is_some_and(|share| share < until)
         })
     }
 

@@ -15,6 +15,7 @@ pub(super) fn fingerprint(scene: &Scene) -> u64 {
     let what = Scene {
         name: String::new(),
         time: 0.0,
+        until: None,
         results: Results {
             print: 0,
             fields: vec![],

@@ -3,7 +3,7 @@
 use std::ops::Bound;
 use std::path::Path;
 
-use proctor_files::json::{Key, KeyBlock, KeyDefault, blocks, from_json, schema};
+use proctor_files::json::{Key, KeyBlock, KeyDefault, SceneSource, blocks, schema};
 use serde_json::{Value, json};
 use tempfile::TempDir;
 
@@ -212,6 +212,7 @@ fn bases() -> Vec<Value> {
         on_absorbing(&json!({"earthquake": {"active": true, "file": "record.csv", "base": "compliant"}})),
         on_absorbing(&none),
         with(3, &none, &json!({"initial_state": {"file": "checkpoint.bin"}})),
+        with(3, &none, &json!({"until": {"unbalanced_force": 0.01}})),
         shaped(2, &json!({"type": "disc", "center": [1, 1], "radius": 0.5})),
         shaped(3, &json!({"type": "sphere", "center": [1, 1, 1], "radius": 0.5})),
         shaped(3, &json!({"type": "cylinder", "point_p1": [1, 1, 0], "point_p2": [1, 1, 1], "radius": 0.5})),
@@ -247,9 +248,11 @@ fn object<'a>(scene: &'a mut Value, path: &str) -> Option<&'a mut Value> {
 
 /// The scene as the reader has it.
 fn read(scene: &Value, folder: &TempDir) -> Result<String, String> {
-    from_json(&scene.to_string(), "scene.json", folder.path())
-        .map(|scene| format!("{scene:?}"))
-        .map_err(|error| error.to_string())
+    let text = scene.to_string();
+    let source = SceneSource::stream("scene", folder.path(), text.as_bytes()).expect("a text");
+    let stages = source.stages().map_err(|error| error.to_string())?;
+    let scenes: Vec<_> = stages.into_iter().map(|stage| stage.scene).collect();
+    Ok(format!("{scenes:?}"))
 }
 
 /// The scenes that have the block, with a value at the key, and whether it was there before.

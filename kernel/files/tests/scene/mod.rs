@@ -11,5 +11,6 @@ mod mortar;
 mod position;
 mod records;
 mod soils;
+mod stages;
 mod unknown;
 mod written;

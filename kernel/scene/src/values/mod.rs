@@ -41,6 +41,8 @@ pub struct Scene {
     pub dimension: Dimension,
     /// End time \[s\].
     pub time: f64,
+    /// Share of the weight below which the sum of the unbalanced forces at the nodes ends a run before that.
+    pub until: Option<f64>,
     /// How the time step is chosen.
     pub time_step: TimeStep,
     /// Acceleration of gravity \[m/s²\].
@@ -112,6 +114,7 @@ impl Scene {
             name: "scene".to_owned(),
             dimension,
             time,
+            until: None,
             time_step: TimeStep::Automatic,
             gravity: [0.0; 3],
             mesh,

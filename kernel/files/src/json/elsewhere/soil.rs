@@ -44,16 +44,9 @@ pub(super) const ALL: &[ForeignWord] = &[
     ),
     entry(
         "",
-        &[
-            "stage",
-            "stages",
-            "staged",
-            "phase",
-            "phases",
-            "construction",
-        ],
-        &[],
-        "not covered: stages in a scene file, a scene is one; loads may change by rows of time (`traction`, `prescribed_velocity`), and a program changes gravity, damping, friction and motions between stages (`Simulation::set_gravity` and its like)",
+        &["stage", "staged", "phase", "phases", "construction"],
+        &["stages", "initial_state.file"],
+        "here `stages`, a list of what each stage changes, or `initial_state`, the end of another run",
     ),
     entry(
         "",

@@ -22,6 +22,8 @@ mod mesh;
 
 use schemars::JsonSchema;
 use serde::Deserialize;
+use serde_json::Value;
+use std::collections::BTreeMap;
 
 use super::lists::{Comment, Contacts, Counts, Entries, Terrains};
 use super::material_keys::RawMaterial;
@@ -175,6 +177,16 @@ pub(super) struct RawScene {
         "x-default" = "bodies begin as they are given", "examples" = [{"file": "checkpoint.bin"}]
     ))]
     pub initial_state: Option<RawInitialState>,
+    /// Stages that follow each other, each from the end of the one before: objects with a `name`, the `velocity` that bodies
+    /// begin with (`zero` or `kept`) and the keys of the scene that the stage changes. `time` is the time of the stage.
+    #[schemars(extend(
+        "x-default" = "the scene is one stage",
+        "examples" = [[{"name": "settle", "damping": {"type": "local", "value": 0.7}}, {"name": "shake", "time": 20}]]
+    ))]
+    pub stages: Option<Vec<BTreeMap<String, Value>>>,
+    /// End before `time`, once forces are in balance.
+    #[schemars(extend("x-default" = "the run goes on to `time`", "examples" = [{"unbalanced_force": 1e-3}]))]
+    pub until: Option<RawUntil>,
     /// Boxes in which all nodes of the mesh stand still.
     #[schemars(extend(
         "x-default" = "none", "examples" = [[{"point_p1": [0, 0, 0], "point_p2": [0.5, 0, 0]}]]
@@ -261,6 +273,19 @@ pub(super) struct RawDamping {
         "x-unit" = "1", "x-also" = "value", "minimum" = 0, "examples" = [0.05]
     ))]
     pub alpha: Option<f64>,
+    /// Words for people, in every object: one text or a list of them. Nothing reads them.
+    #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
+    #[expect(dead_code, reason = "words for people")]
+    pub comment: Option<Comment>,
+}
+
+/// End of a run before its time.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, expecting = "an object with `unbalanced_force`")]
+pub(super) struct RawUntil {
+    /// Sum of the unbalanced forces at the nodes over the weight, or over the force of the stress where nothing weighs.
+    #[schemars(extend("x-unit" = "1", "x-needed" = true, "exclusiveMinimum" = 0, "examples" = [1e-3]))]
+    pub unbalanced_force: Option<f64>,
     /// Words for people, in every object: one text or a list of them. Nothing reads them.
     #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
     #[expect(dead_code, reason = "words for people")]

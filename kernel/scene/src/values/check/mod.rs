@@ -28,6 +28,9 @@ impl Scene {
     pub fn check(&self) -> Result<(), SceneError> {
         let mut problems = Collector::new(self.dimension);
         problems.positive("time", self.time, "s");
+        if let Some(until) = self.until {
+            problems.positive("until.unbalanced_force", until, "");
+        }
         self.check_method(&mut problems);
         problems.vector("gravity", &self.gravity);
         let mesh_is_sound = self.check_mesh(&mut problems);
