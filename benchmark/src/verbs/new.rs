@@ -32,6 +32,8 @@ struct Template {
     text: &'static str,
     /// A file that it names, in its folder: name and text.
     beside: Option<(&'static str, &'static str)>,
+    /// Folder of the last stage in that of the results; empty where the scene has no stages.
+    stage: &'static str,
     /// Field of the frames that shows most.
     field: &'static str,
     /// A key to change, and what that does.
@@ -44,6 +46,7 @@ const TEMPLATES: &[Template] = &[
         what: "an elastic column settles under its own weight",
         text: include_str!("../../templates/column.json"),
         beside: None,
+        stage: "",
         field: "Stress_YY",
         change: &[
             (
@@ -59,6 +62,7 @@ const TEMPLATES: &[Template] = &[
         what: "a block slides down an incline with friction: contact on the grid",
         text: include_str!("../../templates/incline.json"),
         beside: None,
+        stage: "",
         field: "Velocity",
         change: &[
             (
@@ -74,6 +78,7 @@ const TEMPLATES: &[Template] = &[
         what: "two rubber discs collide and part: contact on the grid",
         text: include_str!("../../templates/discs.json"),
         beside: None,
+        stage: "",
         field: "Pressure",
         change: &[
             ("initial_velocity", "twice as fast, or not along one line"),
@@ -86,6 +91,7 @@ const TEMPLATES: &[Template] = &[
         what: "a soft ball rolls down a rigid incline: contact between boundaries (mortar)",
         text: include_str!("../../templates/ball.json"),
         beside: None,
+        stage: "",
         field: "Velocity",
         change: &[
             ("friction", "0 instead of 0.3: it slides and does not turn"),
@@ -98,6 +104,7 @@ const TEMPLATES: &[Template] = &[
         what: "an embankment of soil on ground that shakes: a record moves the base",
         text: include_str!("../../templates/soil.json"),
         beside: Some(("soil.csv", include_str!("../../templates/soil.csv"))),
+        stage: "",
         field: "Velocity",
         change: &[
             ("file", "a record of an earthquake instead of soil.csv"),
@@ -106,10 +113,33 @@ const TEMPLATES: &[Template] = &[
         ],
     },
     Template {
+        name: "earthquake",
+        what: "a slope settles, then a wave comes in from the rock below: stages, absorbing base",
+        text: include_str!("../../templates/earthquake.json"),
+        beside: Some((
+            "earthquake.csv",
+            include_str!("../../templates/earthquake.csv"),
+        )),
+        stage: "/2-shake",
+        field: "Velocity",
+        change: &[
+            (
+                "file",
+                "a record of an earthquake instead of earthquake.csv",
+            ),
+            (
+                "base",
+                "\"rigid\" with a fixed plane_Y0: what goes down comes back",
+            ),
+            ("cohesion", "1e4 instead of 3e4: the slope slides"),
+        ],
+    },
+    Template {
         name: "sand",
         what: "a column of sand collapses and spreads on rough ground: Mohr-Coulomb",
         text: include_str!("../../templates/sand.json"),
         beside: None,
+        stage: "",
         field: "Velocity",
         change: &[
             ("friction", "20 instead of 30: it runs farther"),
@@ -122,6 +152,7 @@ const TEMPLATES: &[Template] = &[
         what: "a column of water is let go and runs along the ground: a dam breaks",
         text: include_str!("../../templates/dam.json"),
         beside: None,
+        stage: "",
         field: "Velocity",
         change: &[
             ("viscosity", "500 instead of 0.001: it creeps"),
@@ -137,6 +168,7 @@ const TEMPLATES: &[Template] = &[
         what: "a soft beam, fixed at one end, bends under its own weight: large strains",
         text: include_str!("../../templates/beam.json"),
         beside: None,
+        stage: "",
         field: "Stress_XX",
         change: &[
             (
@@ -152,6 +184,7 @@ const TEMPLATES: &[Template] = &[
         what: "a rubber sphere falls on the ground and bounces, in three dimensions",
         text: include_str!("../../templates/drop.json"),
         beside: None,
+        stage: "",
         field: "Pressure",
         change: &[
             ("plane_Z0", "\"fixed\" instead of a smooth ground"),
@@ -239,8 +272,8 @@ impl Template {
         writeln!(out, "  proctor run {shown} --out {results}")?;
         writeln!(
             out,
-            "  then open {results}/particles.pvd in ParaView, coloured by {}",
-            self.field
+            "  then open {results}{}/particles.pvd in ParaView, coloured by {}",
+            self.stage, self.field
         )?;
         writeln!(out, "\nto change (`proctor keys KEY` explains a key)")?;
         let width = self.change.iter().map(|(key, _)| key.len()).max();

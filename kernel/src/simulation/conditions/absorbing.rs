@@ -5,6 +5,8 @@
 //! that comes in, k the stiffness of a spring, d the displacement since the start. R balances the stress and the weight that
 //! are there at the start, so that ground at rest stays at rest.
 //!
+//! An antisymmetric plane has R alone: the ground beside it bears the stress that is there at the start.
+//!
 //! v is the mean of the velocities before and after the kick. The dashpot is then implicit: it takes exactly Z v² dt, is of
 //! second order in time, and bounds no time step. Beyond the plane the motion goes on linearly
 //! ([`Wall::extrapolates`](crate::stage::solve::Wall)).
@@ -40,13 +42,17 @@ struct AbsorbingPlanes;
 /// Absorbing planes.
 pub(super) const ABSORBING_PLANES: ConditionType = ConditionType {
     plan_entries: |settings, list| {
-        let acts = settings.absorbs();
+        let why = if settings.absorbs() {
+            "waves leave through a plane"
+        } else {
+            "antisymmetric planes bear the stress of the start"
+        };
         list.choose(
             "stage",
-            "absorbing planes",
-            acts,
-            "waves leave through a plane",
-            "no plane is absorbing",
+            "reactions of planes",
+            settings.has_reactions(),
+            why,
+            "no plane is absorbing, or antisymmetric with stress at the start",
         );
     },
     make: Some(of),
@@ -55,7 +61,7 @@ pub(super) const ABSORBING_PLANES: ConditionType = ConditionType {
 
 fn of(settings: &CycleSettings, _: &GridShape) -> Option<ConditionResult> {
     settings
-        .absorbs()
+        .has_reactions()
         .then(|| Ok(Arc::new(AbsorbingPlanes) as _))
 }
 
@@ -223,8 +229,28 @@ fn lies_in(shape: &GridShape, at: [usize; 3], axis: usize, side: usize) -> bool 
 impl CycleSettings {
     /// The absorbing planes: axis of the normal, and 0 for the lower or 1 for the upper plane.
     pub fn absorbing_planes(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
+        self.planes_that_are(PlaneCondition::Absorbing)
+    }
+
+    /// The antisymmetric planes that bear the stress of the start.
+    pub(in crate::simulation) fn bearing_planes(
+        &self,
+    ) -> impl Iterator<Item = (usize, usize)> + '_ {
+        let planes = self.planes_that_are(PlaneCondition::Antisymmetric);
+        planes.filter(|_| self.starts_stressed)
+    }
+
+    fn planes_that_are(
+        &self,
+        condition: PlaneCondition,
+    ) -> impl Iterator<Item = (usize, usize)> + '_ {
         let planes = (0..self.dimension.axes()).flat_map(|axis| [(axis, 0), (axis, 1)]);
-        planes.filter(|(axis, side)| self.mesh.planes[*axis][*side] == PlaneCondition::Absorbing)
+        planes.filter(move |(axis, side)| self.mesh.planes[*axis][*side] == condition)
+    }
+
+    /// Whether a plane has reactions.
+    pub(in crate::simulation) fn has_reactions(&self) -> bool {
+        self.absorbs() || self.bearing_planes().next().is_some()
     }
 
     /// Whether a plane is absorbing.

@@ -16,7 +16,7 @@ impl Cycle {
     /// Finds impedances and reactions at the nodes of absorbing planes, from the particles as they are. A node that no
     /// particle reaches now stays free.
     pub(in crate::simulation) fn start_absorbing(&mut self) {
-        if !self.model.settings.absorbs() {
+        if !self.model.settings.has_reactions() {
             return;
         }
         let mut nodes = self.absorbing_nodes();
@@ -33,9 +33,8 @@ impl Cycle {
             self.model.conditions = own;
             let found = self.led(|cycle| cycle.forces_at(&nodes));
             for (one, force) in nodes.iter_mut().zip(found.unwrap_or_default()) {
-                for axis in (0..3).filter(|axis| one.impedance[*axis] > 0.0) {
-                    one.reaction[axis] = -force[axis];
-                }
+                // What is held has no unbalanced force.
+                one.reaction = force.map(|f| -f);
             }
         }
         self.model.conditions = conditions;
@@ -103,6 +102,14 @@ impl Cycle {
                 }
                 all.push(node);
             }
+        }
+        for (axis, side) in settings.bearing_planes() {
+            let ground = self.ground_at(axis, side);
+            let with_mass = ground.iter().filter(|one| one.mass > 0.0);
+            all.extend(with_mass.map(|one| AbsorbingNode {
+                node: one.node,
+                ..AbsorbingNode::default()
+            }));
         }
         all.sort_by_key(|one| one.node);
         // A node of two planes bears what both bear.
