@@ -90,6 +90,13 @@ impl GridShape {
         storage
     }
 
+    /// Whether a node lies in a plane of the mesh, 0 the lower, 1 the upper one of the axis.
+    #[must_use]
+    #[inline]
+    pub fn lies_in_plane(&self, node: usize, axis: usize, side: usize) -> bool {
+        self.indices(node)[self.direction(axis)] == GHOSTS_BELOW + side * self.cells[axis]
+    }
+
     /// Position of a node relative to the mesh origin \[m\].
     #[must_use]
     #[inline]

@@ -66,10 +66,10 @@ fn words_from_elsewhere_are_answered() {
     for (word, key, answer) in [
         ("k0", "body.initial_stress.ratio", "`ratio`"),
         ("dem", "terrain_contact.stl_mesh", "`terrain_contact`"),
-        ("base", "earthquake.file", "`earthquake`"),
+        ("base_motion", "earthquake.file", "`earthquake`"),
         ("restart", "", "--restart"),
         ("load_state", "", "--restart"),
-        ("stage", "", "`Simulation::set_gravity`"),
+        ("stage", "stages", "`initial_state`"),
         ("diameter", "body.radius", "half of the diameter"),
         ("extrude_direction", "body.axis", "\"extruded_polygon\""),
         ("polygon_2d", "body.type", "\"extruded_polygon\""),

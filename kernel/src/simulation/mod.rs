@@ -8,6 +8,7 @@ mod energy;
 mod extremes;
 mod faults;
 pub(crate) mod fields;
+mod ground_beyond;
 mod history;
 mod initial_imbalance;
 mod interaction_passes;
@@ -35,8 +36,8 @@ mod values;
 mod work_state;
 
 pub use crate::grid::{GridShape, Line};
-pub use crate::stage::solve::{EmptyNode, PlaneSums, Planes};
-pub use conditions::{DashpotNode, describe as describe_conditions, of as conditions};
+pub use crate::stage::solve::{DashpotNode, EmptyNode, PlaneSums, Planes};
+pub use conditions::{describe as describe_conditions, of as conditions};
 pub use context::{
     Condition, FieldNodes, NodalConditions, Node, Remap, StepContext, VelocityMapping,
     at_half_step_after,

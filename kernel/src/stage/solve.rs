@@ -72,6 +72,17 @@ pub struct DrivenNode {
     pub after: [f64; 3],
 }
 
+/// A node of absorbing planes in one step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DashpotNode {
+    /// Index of the node in the grid.
+    pub node: usize,
+    /// Impedance of its dashpot per axis \[N s/m\].
+    pub impedance: [f64; 3],
+    /// Force beside that of the dashpot \[N\].
+    pub force: [f64; 3],
+}
+
 /// The planes of nodes that one visit owns.
 pub struct Planes<'a> {
     /// Shape of the grid.

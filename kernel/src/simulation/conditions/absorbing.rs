@@ -11,31 +11,18 @@
 //! second order in time, and bounds no time step. Beyond the plane the motion goes on linearly
 //! ([`Wall::extrapolates`](crate::stage::solve::Wall)).
 
-mod ground;
-
 use super::{ConditionResult, ConditionType};
-use crate::grid::{GHOSTS_BELOW, GridShape, Line};
+use crate::grid::{GridShape, Line};
 use crate::model::{CycleSettings, PlaneCondition, Vector};
 use crate::simulation::Cycle;
 use crate::simulation::context::{Condition, FieldNodes, NodalConditions};
 use crate::simulation::fields::SlabField;
 use crate::simulation::values::{Drift, StepError, StepErrorKind};
-use crate::stage::solve::{EmptyNode, PlaneSums};
+use crate::stage::solve::{DashpotNode, EmptyNode, PlaneSums};
 use std::sync::Arc;
 
 /// Cells by which the material at a plane may move off the dashpots, which stay at their nodes.
 const MOST_TRAVEL: f64 = 0.5;
-
-/// A node of absorbing planes in one step.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DashpotNode {
-    /// Index of the node in the grid.
-    pub node: usize,
-    /// Impedance of its dashpot per axis \[N s/m\].
-    pub impedance: Vector,
-    /// Force beside that of the dashpot \[N\].
-    pub force: Vector,
-}
 
 struct AbsorbingPlanes;
 
@@ -153,9 +140,8 @@ impl Cycle {
         nodal
             .absorbing
             .extend(self.state.absorbing.iter().map(|one| {
-                let enters = incoming.is_some_and(|wave| {
-                    lies_in(shape, shape.indices(one.node), wave.axis, wave.side)
-                });
+                let enters = incoming
+                    .is_some_and(|wave| shape.lies_in_plane(one.node, wave.axis, wave.side));
                 let wave = wave.filter(|_| enters).unwrap_or_default();
                 DashpotNode {
                     node: one.node,
@@ -204,7 +190,7 @@ impl Cycle {
         for (axis, side) in self.model.settings.absorbing_planes() {
             let nodes = self.state.absorbing.iter();
             let on = nodes.filter(|one| {
-                one.impedance[axis] > 0.0 && lies_in(shape, shape.indices(one.node), axis, side)
+                one.impedance[axis] > 0.0 && shape.lies_in_plane(one.node, axis, side)
             });
             let (count, sum) = on.fold((0_usize, 0.0), |(count, sum), one| {
                 (count + 1, sum + one.displacement[axis])
@@ -219,11 +205,6 @@ impl Cycle {
         }
         Ok(())
     }
-}
-
-/// Whether storage indices are those of a node of a plane of the mesh.
-fn lies_in(shape: &GridShape, at: [usize; 3], axis: usize, side: usize) -> bool {
-    at[shape.direction(axis)] == GHOSTS_BELOW + side * shape.cells[axis]
 }
 
 impl CycleSettings {

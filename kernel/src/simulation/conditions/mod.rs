@@ -11,7 +11,6 @@
 
 mod light;
 
-pub use absorbing::DashpotNode;
 pub(super) use loads::{areas as nodes_of_traction, load_on};
 
 use super::{Cycle, history_value};

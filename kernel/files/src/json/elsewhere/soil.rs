@@ -31,7 +31,6 @@ pub(super) const ALL: &[ForeignWord] = &[
     entry(
         "",
         &[
-            "base",
             "base_motion",
             "base_acceleration",
             "base_shaking",

@@ -1,10 +1,10 @@
 //! The ground at absorbing planes, as it is at the start: impedances, springs and reactions of their nodes.
 
-use super::lies_in;
 use crate::grid::{GHOSTS_BELOW, GridShape};
 use crate::layout::Layout;
 use crate::model::{CycleSettings, Damping, Vector};
 use crate::simulation::Cycle;
+use crate::simulation::conditions;
 use crate::simulation::energy::NodalSnapshot;
 use crate::simulation::mapping::node_weights;
 use crate::simulation::values::{AbsorbingNode, StepError};
@@ -29,7 +29,7 @@ impl Cycle {
             damping: Damping::None,
             ..self.model.settings.clone()
         };
-        if let Ok(own) = crate::simulation::conditions(&settings, &self.work.grid.shape, &[]) {
+        if let Ok(own) = conditions::of(&settings, &self.work.grid.shape, &[]) {
             self.model.conditions = own;
             let found = self.led(|cycle| cycle.forces_at(&nodes));
             for (one, force) in nodes.iter_mut().zip(found.unwrap_or_default()) {
@@ -168,15 +168,15 @@ impl Cycle {
     fn is_held(&self, node: usize, along: usize) -> bool {
         let settings = &self.model.settings;
         let (shape, mesh) = (&self.work.grid.shape, &settings.mesh);
-        let at = shape.indices(node);
         let by_plane = (0..shape.axes).any(|axis| {
             [0, 1].into_iter().any(|side| {
                 let moves = (settings.base_motion.as_ref())
                     .is_some_and(|base| (base.axis, base.side) == (axis, side));
-                lies_in(shape, at, axis, side)
+                shape.lies_in_plane(node, axis, side)
                     && (moves || mesh.planes[axis][side].prescribes(along, axis))
             })
         });
+        let at = shape.indices(node);
         let number = |axis: usize| at[shape.direction(axis)] - GHOSTS_BELOW;
         by_plane
             || settings.held_boxes.iter().any(|held| {
