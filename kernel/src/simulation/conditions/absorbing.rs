@@ -13,7 +13,7 @@
 
 use super::{ConditionResult, ConditionType};
 use crate::grid::{GridShape, Line};
-use crate::model::{CycleSettings, PlaneCondition, Vector};
+use crate::model::{CycleSettings, PlaneCondition};
 use crate::simulation::Cycle;
 use crate::simulation::context::{Condition, FieldNodes, NodalConditions};
 use crate::simulation::fields::SlabField;
