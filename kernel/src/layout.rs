@@ -41,9 +41,11 @@ impl Variable {
 pub struct Layout {
     /// Number of axes, 2 or 3.
     pub axes: usize,
+    /// True where the two axes are radius and height, so that particles are rings.
+    pub axisymmetric: bool,
     /// First of the optional groups of columns, where present.
     pub displacement_origin: Option<usize>,
-    /// Deformation gradient, row by row: 4 columns in 2D (F_zz = 1), 9 in 3D.
+    /// Deformation gradient, row by row: 4 columns in 2D (F_zz = 1), 9 in 3D; 5 where it is axisymmetric, the hoop stretch last.
     pub deformation: Option<usize>,
     /// Affine velocity C, row by row: `axes`² columns.
     pub affine: Option<usize>,
@@ -76,6 +78,8 @@ pub struct Optional {
     pub initial_half_length: bool,
     /// External force per particle.
     pub force: bool,
+    /// The hoop stretch beside the deformation gradient: the scene is axisymmetric.
+    pub axisymmetric: bool,
 }
 
 impl Layout {
@@ -98,7 +102,10 @@ impl Layout {
             })
         };
         let displacement_origin = group(wanted.displacement_origin, axes);
-        let deformation = group(wanted.deformation, axes * axes);
+        let deformation = group(
+            wanted.deformation,
+            axes * axes + usize::from(wanted.axisymmetric),
+        );
         let affine = group(wanted.affine, axes * axes);
         let half_length = group(wanted.half_length, axes);
         let initial_half_length = group(wanted.initial_half_length, axes);
@@ -110,6 +117,7 @@ impl Layout {
             .sum::<usize>();
         Self {
             axes,
+            axisymmetric: wanted.axisymmetric,
             displacement_origin,
             deformation,
             affine,
@@ -120,6 +128,14 @@ impl Layout {
             law,
             columns: next,
         }
+    }
+
+    /// Column of the hoop stretch F_tt, where there is one.
+    #[inline(always)]
+    #[must_use]
+    pub fn hoop_stretch(&self) -> Option<usize> {
+        let first = self.deformation.filter(|_| self.axisymmetric)?;
+        Some(first + self.axes * self.axes)
     }
 
     /// Number of stress components in two or three dimensions.

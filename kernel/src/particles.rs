@@ -122,6 +122,9 @@ impl ParticleSet {
                 f[a][b] = self.columns[first + a * axes + b][p];
             }
         }
+        if let Some(hoop) = self.layout.hoop_stretch() {
+            f[2][2] = self.columns[hoop][p];
+        }
         Some(f)
     }
 

@@ -16,6 +16,8 @@ use std::fmt;
 pub struct Plan {
     /// Number of axes, 2 or 3.
     pub axes: usize,
+    /// True where the two axes are radius and height.
+    pub axisymmetric: bool,
     /// Family of weighting functions.
     pub family: Family,
     /// How particle domains follow the deformation.

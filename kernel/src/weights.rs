@@ -215,6 +215,36 @@ pub fn gimp_weights<L: Lanes, const N: usize>(f: L, l: L, quarter: L) -> ([L; N]
     )
 }
 
+/// Turns derivatives d/dxi of GIMP along the radius into those of a ring: the integral of N' r over the particle domain in the
+/// place of that of N', over its length and the radius of the particle.
+///
+/// A node inside the domain parts it into a piece below and one above, whose mean radii differ: its derivative falls by
+/// kappa = (l² - (f - n)²)/(2 l rho), and those of its neighbours rise by half of that. So they sum to zero and keep linear fields.
+/// On the axis kappa is zero, as the mirror image of the domain fills what it leaves.
+///
+/// `first` is the radius of the first node in cells, `inverse_radius` one over that of the particle.
+#[inline(always)]
+pub fn weigh_by_radius<L: Lanes, const N: usize>(
+    g: &mut [L; N],
+    f: L,
+    [l, quarter]: [L; 2],
+    first: L,
+    inverse_radius: L,
+) {
+    let (zero, half, two) = (L::splat(0.0), L::splat(0.5), L::splat(2.0));
+    for n in 1..N - 1 {
+        let node = L::splat(n as f64);
+        let off = f - node;
+        let (below, _) = overlap(l - off);
+        let (above, _) = overlap(l + off);
+        let kappa = two * quarter * below * above * inverse_radius;
+        let kappa = L::select(zero.lt(first + node), kappa, zero);
+        g[n - 1] = half.mul_add(kappa, g[n - 1]);
+        g[n] = g[n] - kappa;
+        g[n + 1] = half.mul_add(kappa, g[n + 1]);
+    }
+}
+
 /// Three weights and derivatives from the outer ones: they sum to one and to zero.
 #[inline(always)]
 fn closed<L: Lanes, const N: usize>(w_0: L, w_2: L, g_0: L, g_2: L) -> ([L; N], [L; N]) {

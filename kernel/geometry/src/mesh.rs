@@ -13,6 +13,8 @@ pub struct Mesh {
     pub cells: [usize; 3],
     /// Condition of each boundary plane, `planes[axis][side]`, side 0 lower (`X0`), 1 upper (`Xn`).
     pub planes: [[PlaneCondition; 2]; 3],
+    /// True where the two axes are radius and height: the scene is a body of revolution about the line x = 0.
+    pub axisymmetric: bool,
 }
 
 /// Condition on a boundary plane of the mesh.
@@ -86,6 +88,7 @@ impl Mesh {
             cell,
             cells,
             planes,
+            axisymmetric: false,
         }
     }
 

@@ -16,7 +16,7 @@ pub use constants::{Accepted, Choice, Constant, ConstantDefault, Curve, InvalidC
 pub use point::{Point, PointFault};
 pub use stored_particle::StoredParticle;
 pub(crate) use strain::MOST_LANES;
-pub use strain::{BLOCK, Block, Gradients, Strain, Strained};
+pub use strain::{BLOCK, Block, Gradients, HOOP, Strain, Strained};
 pub use stress::{Component, Stress};
 
 use crate::lanes::Lanes;

@@ -20,8 +20,11 @@ pub const BLOCK: usize = 64;
 /// Most components of internal variables that a law may have.
 pub(super) const MOST_VARIABLES: usize = 16;
 
-/// Velocity gradients of a block \[1/s\]: component D a + b of particle i at `[D * a + b][i]`. A whole group of lanes may
-/// be written behind the last particle.
+/// Component of [`Gradients`] that is the hoop strain rate where the first of two axes is a radius.
+pub const HOOP: usize = 4;
+
+/// Velocity gradients of a block \[1/s\]: component D a + b of particle i at `[D * a + b][i]`, and [`HOOP`]. A whole group of
+/// lanes may be written behind the last particle.
 pub struct Gradients(pub [[f64; BLOCK + MOST_LANES]; 9]);
 
 /// The widest group.
@@ -220,10 +223,10 @@ impl<M: Law> Strain for M {
         other.downcast_ref() == Some(self)
     }
     fn strain(&self, lanes: Selected, block: Block<'_, '_>) -> Strained {
-        if block.layout.axes == 2 {
-            lanes.run(StrainKernel::<M, 2>(self, block))
-        } else {
-            lanes.run(StrainKernel::<M, 3>(self, block))
+        match (block.layout.axes, block.layout.axisymmetric) {
+            (2, false) => lanes.run(StrainKernel::<M, 2, 2>(self, block)),
+            (2, true) => lanes.run(StrainKernel::<M, 2, 3>(self, block)),
+            _ => lanes.run(StrainKernel::<M, 3, 3>(self, block)),
         }
     }
 }
@@ -286,10 +289,11 @@ const fn components(variables: &[Variable]) -> usize {
     count
 }
 
-/// The strain of a block as a kernel, for laws of one type.
-struct StrainKernel<'a, 'b, 'm, M, const D: usize>(pub &'m M, pub Block<'a, 'b>);
+/// The strain of a block as a kernel, for laws of one type: particles keep `D` axes, the law has `E`. Three of a law and two of
+/// particles are radius, height and hoop.
+struct StrainKernel<'a, 'b, 'm, M, const D: usize, const E: usize>(pub &'m M, pub Block<'a, 'b>);
 
-impl<M: Law, const D: usize> Kernel for StrainKernel<'_, '_, '_, M, D> {
+impl<M: Law, const D: usize, const E: usize> Kernel for StrainKernel<'_, '_, '_, M, D, E> {
     type Output = Strained;
 
     #[inline(always)]
@@ -302,9 +306,9 @@ impl<M: Law, const D: usize> Kernel for StrainKernel<'_, '_, '_, M, D> {
             let count = (block.range.end - at).min(B::Native::WIDTH);
             // Written twice, so that nothing is masked in full groups.
             let bad = if count == B::Native::WIDTH {
-                group::<B::Native, M, D>(law, &mut block, at, B::Native::WIDTH, &mut most)
+                group::<B::Native, M, D, E>(law, &mut block, at, B::Native::WIDTH, &mut most)
             } else {
-                group::<B::Native, M, D>(law, &mut block, at, count, &mut most)
+                group::<B::Native, M, D, E>(law, &mut block, at, count, &mut most)
             };
             if bad != 0 && fault.is_none() {
                 fault = Some(at + bad.trailing_zeros() as usize);
@@ -321,7 +325,7 @@ impl<M: Law, const D: usize> Kernel for StrainKernel<'_, '_, '_, M, D> {
 
 /// Strains the particles of one group of lanes; returns the lanes that went wrong.
 #[inline(always)]
-fn group<L: Lanes, M: Law, const D: usize>(
+fn group<L: Lanes, M: Law, const D: usize, const E: usize>(
     law: &M,
     block: &mut Block<'_, '_>,
     at: usize,
@@ -340,6 +344,13 @@ fn group<L: Lanes, M: Law, const D: usize>(
             square = gradient[a][b].mul_add(gradient[a][b], square);
         }
     }
+    let axisymmetric = D < E;
+    if axisymmetric {
+        let at = (at - block.range.start).min(BLOCK);
+        let hoop = L::load(&block.gradients.0[HOOP][at..at + MOST_LANES]) * dt;
+        gradient[2][2] = hoop;
+        square = hoop.mul_add(hoop, square);
+    }
     most[1] = most[1].max(L::select(live, square, zero));
     let mass: L = load(block.columns[Layout::MASS], at, count);
     let mut deformation = [[zero; 3]; 3];
@@ -347,14 +358,26 @@ fn group<L: Lanes, M: Law, const D: usize>(
     if let Some(first) = block.layout.deformation {
         deformation = deform::<L, D>(block.columns, first, at, count, &gradient, configuration);
         jacobian = determinant::<L, D>(&deformation);
+        if axisymmetric {
+            let column = &mut *block.columns[first + D * D];
+            let hoop = hoop_ratio(gradient[2][2], configuration) * load(column, at, count);
+            store(hoop, column, at, count);
+            deformation[2][2] = hoop;
+            jacobian = jacobian * hoop;
+        }
     }
     // Where F has a use in the cycle the volume is V_0 det F, so that volume, density and F agree to round-off;
     // an F that is only written must not change a bit.
     let volume = if M::NEEDS_DEFORMATION || block.volume_of_deformation {
         mass * L::splat(1.0 / block.density) * jacobian
     } else {
-        load::<L>(block.columns[Layout::VOLUME], at, count)
-            * volume_ratio::<L, D>(&gradient, configuration)
+        let volume = load::<L>(block.columns[Layout::VOLUME], at, count)
+            * volume_ratio::<L, D>(&gradient, configuration);
+        if axisymmetric {
+            volume * hoop_ratio(gradient[2][2], configuration)
+        } else {
+            volume
+        }
     };
     store(volume, block.columns[Layout::VOLUME], at, count);
 
@@ -364,7 +387,7 @@ fn group<L: Lanes, M: Law, const D: usize>(
     if !M::NEEDS_DEFORMATION {
         let columns = &block.columns[of_stress.clone()];
         for i in 0..components_of_stress {
-            stress.packed_mut()[i] = load(columns[i], at, count);
+            stress.packed_mut()[place_of::<D, E>(i)] = load(columns[i], at, count);
         }
     }
     let count_of_variables = const { components(M::VARIABLES) };
@@ -382,7 +405,7 @@ fn group<L: Lanes, M: Law, const D: usize>(
         volume,
         density: block.density,
     };
-    let speed_squared = law.update::<L, D>(
+    let speed_squared = law.update::<L, E>(
         &increment,
         &mut stress,
         &mut variables[..count_of_variables],
@@ -391,8 +414,9 @@ fn group<L: Lanes, M: Law, const D: usize>(
     let mut finite = zero;
     let columns = &mut block.columns[of_stress];
     for i in 0..components_of_stress {
-        store(stress.packed()[i], columns[i], at, count);
-        finite = stress.packed()[i].mul_add(zero, finite);
+        let component = stress.packed()[place_of::<D, E>(i)];
+        store(component, columns[i], at, count);
+        finite = component.mul_add(zero, finite);
     }
     for i in 0..count_of_variables {
         store(
@@ -405,6 +429,26 @@ fn group<L: Lanes, M: Law, const D: usize>(
     }
     let good = L::bits(zero.lt(volume)) & L::bits(finite.eq(zero));
     !good & L::bits(live)
+}
+
+/// Place in the stress of a law with `E` axes of a component that particles with `D` keep: xy is the last of six in space.
+#[inline(always)]
+const fn place_of<const D: usize, const E: usize>(component: usize) -> usize {
+    if D < E && component == 3 {
+        5
+    } else {
+        component
+    }
+}
+
+/// Hoop stretch of the step.
+#[inline(always)]
+fn hoop_ratio<L: Lanes>(rate: L, configuration: Configuration) -> L {
+    let one = L::splat(1.0);
+    match configuration {
+        Configuration::Beginning => one + rate,
+        Configuration::End => one / (one - rate),
+    }
 }
 
 /// F after the step, f F, which is kept.

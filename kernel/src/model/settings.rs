@@ -54,6 +54,8 @@ pub struct CycleSettings {
     pub tractions: Vec<Traction>,
     /// Total forces that are spread over particles at the start.
     pub box_loads: Vec<BoxLoad>,
+    /// Particles per cell along the first axis, whose rows bear tractions where the scene is axisymmetric.
+    pub radial_particles: usize,
     /// True where the motion of a body is prescribed.
     pub drives_bodies: bool,
     /// True where a body has a stress at the start.

@@ -216,7 +216,7 @@ impl Cycle {
         length(&self.model.settings.gravity) + self.work.load_acceleration
     }
 
-    /// [`stability_number`] of the scene.
+    /// [`stability_number`] of the scene, or the share of it that its bodies bear.
     #[must_use]
     pub fn stability_number(&self) -> f64 {
         let smallest = self
@@ -226,12 +226,15 @@ impl Cycle {
             .flat_map(|body| &body.mapping.half_length[..self.model.plan.axes])
             .copied()
             .fold(f64::INFINITY, f64::min);
-        stability_number(
-            self.model.settings.weighting,
-            self.model.settings.scheme,
-            self.model.settings.transfer.kind,
-            smallest,
-        )
+        let bodies = self.model.bodies.iter();
+        let share = bodies.map(|body| body.step_share).fold(1.0, f64::min);
+        share
+            * stability_number(
+                self.model.settings.weighting,
+                self.model.settings.scheme,
+                self.model.settings.transfer.kind,
+                smallest,
+            )
     }
 
     /// The longest step after the one before, where an interaction bounds steps by `closing` \[s\].

@@ -80,7 +80,10 @@ impl Cycle {
         if gravity > 0.0 {
             return (self.mass() * gravity.sqrt(), "weight");
         }
-        let axes = self.model.plan.axes;
+        let axes = match self.model.plan.axisymmetric {
+            true => 3,
+            false => self.model.plan.axes,
+        };
         let force = self.state.sets.iter().map(|set| {
             let volume: f64 = set.columns[Layout::VOLUME].iter().sum();
             let stress = (0..set.len()).flat_map(|p| set.stress(p));

@@ -29,7 +29,11 @@ pub(super) fn particle_to_grid<'a>(
     let carries_force = matches!(carry, Carry::All | Carry::Force);
     let instance = |carry| P2gInstance {
         carry,
-        call: p2g::instance(plan.axes, nodes, plan.full_mapping, carry),
+        call: if plan.axisymmetric {
+            p2g::axisymmetric_instance(nodes, plan.full_mapping, carry)
+        } else {
+            p2g::instance(plan.axes, nodes, plan.full_mapping, carry)
+        },
         leaves_parts: p2g::leaves_parts(plan.axes, plan.full_mapping, carry),
     };
     ParticleToGrid {
@@ -40,6 +44,9 @@ pub(super) fn particle_to_grid<'a>(
         stencil,
         family,
         affine: plan.affine != Affine::Leave,
+        first_radius: (plan.axisymmetric && !bodies.is_empty())
+            .then(|| bodies[0].mapping.first_radius),
+        has_hoop: plan.axisymmetric && !plan.full_mapping && carry == Carry::All,
         free: instance(carry),
         driven: instance(Carry::Momentum),
         gradient: instance(Carry::MassGradient),
@@ -72,6 +79,10 @@ pub(super) struct ParticleToGrid<'a> {
     pub(super) family: Family,
     /// Whether momentum has an affine part.
     affine: bool,
+    /// Radius of the lower edge of the mesh \[m\], where the scene is axisymmetric.
+    first_radius: Option<f64>,
+    /// Whether the force of the hoop stress lies in a lane of its own.
+    has_hoop: bool,
     /// Of bodies that move freely.
     free: P2gInstance,
     /// Of bodies with a field of their own whose motion is prescribed: their mass alone counts.
@@ -122,7 +133,9 @@ impl ParticleToGrid<'_> {
                 groups
             }
         };
-        if self.free.leaves_parts {
+        if self.has_hoop {
+            planes.join_with_hoop();
+        } else if self.free.leaves_parts {
             planes.join();
         }
         groups
@@ -162,6 +175,9 @@ impl ParticleToGrid<'_> {
         );
         if self.gradient.leaves_parts {
             planes.join();
+        }
+        if let Some(first) = self.first_radius {
+            planes.multiply_by_radius(first);
         }
     }
 

@@ -76,6 +76,7 @@ impl Cycle {
             && settings.transfer.pic_fraction == 0.0
             && settings.damping == Damping::None
             && !planes
+            && !settings.mesh.axisymmetric
             && loads
             && settings.held_boxes.is_empty()
             && !self.balance_traits().dissipates

@@ -12,6 +12,7 @@ use crate::lanes::{Lanes, load};
 use crate::layout::Layout;
 use crate::weights::{
     Family, base_offset, gimp_weights, hat_pair, hat_triple, hat_weights, least_squares_weights,
+    weigh_by_radius,
 };
 
 /// How particles of one set see the grid.
@@ -33,6 +34,10 @@ pub struct Mapping {
     least_squares: bool,
     /// Column of the half-lengths where each particle has its own.
     pub half_length_column: Option<usize>,
+    /// Radius of the lower edge of the mesh \[m\], where the first axis is a radius.
+    pub first_radius: f64,
+    /// True where derivatives along the radius are integrals with the radius over particle domains: see [`weigh_by_radius`].
+    pub weighs_by_radius: bool,
 }
 
 impl Mapping {
@@ -53,6 +58,19 @@ impl Mapping {
             quarter: half_length.map(|l| 1.0 / (4.0 * l)),
             half_length_column: column,
             least_squares: false,
+            first_radius: 0.0,
+            weighs_by_radius: false,
+        }
+    }
+
+    /// The same where the first axis is a radius that begins with `first_radius` \[m\]: with particles that are rings
+    /// (`weighs_by_radius`), or points with weights as in the plane.
+    #[must_use]
+    pub fn with_radius(self, first_radius: f64, weighs_by_radius: bool) -> Self {
+        Self {
+            first_radius,
+            weighs_by_radius,
+            ..self
         }
     }
 
@@ -143,6 +161,16 @@ impl<L: Lanes> Block<L> {
     }
 }
 
+/// Radius of the base nodes of a block, and one over the radius of its particles, in cells. Lanes beyond the block hold 1.
+#[inline(always)]
+fn radii<L: Lanes>(mapping: &Mapping, block: &Block<L>) -> (L, L) {
+    let (zero, one) = (L::splat(0.0), L::splat(1.0));
+    let first = L::splat(mapping.first_radius * mapping.inverse_cell[0]) + block.base[0];
+    let radius = first + block.f[0];
+    let radius = L::select(zero.lt(radius), radius, one);
+    (first, one / radius)
+}
+
 /// Index of a layer of nodes, ghosts counted, that lies `cell` cells from the lower boundary: 0 for what is not a number.
 #[inline(always)]
 fn layer_of(cell: f64) -> usize {
@@ -161,9 +189,16 @@ pub(crate) fn index_of(whole: f64) -> usize {
 /// Weights and derivatives of a block that begins at `at`, per axis and node, in lanes.
 ///
 /// Two nodes are those of hats; with `ON_NODES` the three of hats of which the second is the base node of the block, since a
-/// particle of it lies there.
+/// particle of it lies there. With `AXISYMMETRIC` the first axis is a radius.
 #[inline(always)]
-fn weights_of<L: Lanes, C: AsRef<[f64]>, const D: usize, const N: usize, const ON_NODES: bool>(
+fn weights_of<
+    L: Lanes,
+    C: AsRef<[f64]>,
+    const D: usize,
+    const N: usize,
+    const ON_NODES: bool,
+    const AXISYMMETRIC: bool,
+>(
     columns: &[C],
     mapping: &Mapping,
     block: &Block<L>,
@@ -195,6 +230,10 @@ fn weights_of<L: Lanes, C: AsRef<[f64]>, const D: usize, const N: usize, const O
             let l = L::select(zero.lt(l), l, L::splat(0.5));
             let quarter = L::splat(1.0) / (L::splat(4.0) * l);
             (w[axis], g[axis]) = gimp_weights::<L, N>(block.f[axis], l, quarter);
+            if AXISYMMETRIC && axis == 0 && mapping.weighs_by_radius {
+                let (first, inverse) = radii(mapping, block);
+                weigh_by_radius(&mut g[0], block.f[0], [l, quarter], first, inverse);
+            }
         }
         return (w, g);
     }
@@ -204,6 +243,11 @@ fn weights_of<L: Lanes, C: AsRef<[f64]>, const D: usize, const N: usize, const O
         if mapping.least_squares {
             g[axis] = least_squares_weights::<L, N>(block.f[axis], &w[axis]);
         }
+    }
+    if AXISYMMETRIC && mapping.weighs_by_radius {
+        let (first, inverse) = radii(mapping, block);
+        let domain = [mapping.half_length[0], mapping.quarter[0]].map(L::splat);
+        weigh_by_radius(&mut g[0], block.f[0], domain, first, inverse);
     }
     (w, g)
 }

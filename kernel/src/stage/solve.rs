@@ -11,7 +11,7 @@ mod damped;
 mod remapped;
 
 use crate::grid::{ActiveRows, GHOSTS_BELOW, GridShape, Line};
-use crate::stage::p2g::join;
+use crate::stage::p2g::{join, join_with_hoop};
 use std::ops::{AddAssign, Range};
 
 /// A boundary plane with a condition.
@@ -169,6 +169,28 @@ impl Planes<'_> {
     /// Adds both parts of what was mapped to each node in the plane.
     pub(crate) fn join(&mut self) {
         self.for_rows(|row| row.iter_mut().for_each(join));
+    }
+
+    /// The same with the force of the hoop stress.
+    pub(crate) fn join_with_hoop(&mut self) {
+        self.for_rows(|row| row.iter_mut().for_each(join_with_hoop));
+    }
+
+    /// Multiplies what lies in the upper lanes of nodes by their radius, of which the lowest plane of the mesh has `first` \[m\].
+    /// Nodes on the axis have that of the middle of the half cell around them.
+    pub(crate) fn multiply_by_radius(&mut self, first: f64) {
+        let h = self.shape.cell[0];
+        for plane in self.range.clone() {
+            let radius = first + (plane as f64 - GHOSTS_BELOW as f64) * h;
+            let radius = radius.abs().max(0.25 * h);
+            let nodes = self.shape.plane_nodes();
+            let from = (plane - self.range.start) * nodes;
+            for node in &mut self.nodes[from..from + nodes] {
+                for lane in &mut node[4..] {
+                    *lane *= radius;
+                }
+            }
+        }
     }
 
     /// Folds what lies on ghost nodes onto their mirror nodes: mass and momentum (`lower`), force (`upper`).

@@ -39,7 +39,7 @@ impl<const D: usize, const N: usize> Kernel for WeightKernel<'_, D, N> {
         let mut at = range.start;
         while at < range.end {
             let block = block_at::<B::Line, _, D, N>(columns, mapping, at, range.end);
-            let (w, g) = weights_of::<B::Line, _, D, N, false>(columns, mapping, &block, at);
+            let (w, g) = weights_of::<B::Line, _, D, N, false, false>(columns, mapping, &block, at);
             for axis in 0..D {
                 for n in 0..N {
                     all = w[axis][n].mul_add(g[axis][n], all);

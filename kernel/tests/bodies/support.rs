@@ -51,6 +51,7 @@ impl Setting {
 
     pub fn mesh(&self) -> Mesh {
         Mesh {
+            axisymmetric: false,
             origin: self.origin,
             cell: self.cell,
             cells: self.cells,

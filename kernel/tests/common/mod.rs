@@ -104,6 +104,7 @@ pub fn calm(scene: &mut Scene) {
 pub fn mesh(dimension: Dimension, cells: [usize; 3], h: f64) -> Mesh {
     let flat = dimension == Dimension::Two;
     Mesh {
+        axisymmetric: false,
         origin: [0.0; 3],
         cell: [h, h, if flat { 1.0 } else { h }],
         cells: [cells[0], cells[1], if flat { 1 } else { cells[2] }],

@@ -43,6 +43,7 @@ fn shape(axes: usize) -> GridShape {
         (Dimension::Three, CELLS)
     };
     let mesh = Mesh {
+        axisymmetric: false,
         cells: [CELLS, CELLS, deep],
         cell: [1.0; 3],
         origin: [0.0; 3],

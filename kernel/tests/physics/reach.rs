@@ -17,6 +17,7 @@ const CELL: f64 = 0.25;
 
 fn shape() -> GridShape {
     let mesh = Mesh {
+        axisymmetric: false,
         cells: [CELLS; 3],
         cell: [CELL; 3],
         origin: [0.0; 3],

@@ -14,6 +14,7 @@ const CELL: [f64; 3] = [0.25, 0.5, 0.125];
 
 fn shape(dimension: Dimension, cells: [usize; 3]) -> GridShape {
     let mesh = Mesh {
+        axisymmetric: false,
         cells,
         cell: CELL,
         origin: [0.0; 3],

@@ -114,6 +114,7 @@ fn build(rung: &Rung, settings: &Settings) -> Result<Scene, SurfaceError> {
         ..Scene::new(
             Dimension::Three,
             Mesh {
+                axisymmetric: false,
                 origin: [0.0, 0.0, -margin],
                 cell: [h; 3],
                 cells: [

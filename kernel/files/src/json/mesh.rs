@@ -37,6 +37,7 @@ impl Build<'_> {
             }
         };
         let mut mesh = Mesh::new(self.dimension, origin, cell, cells);
+        mesh.axisymmetric = raw.axisymmetric.unwrap_or(false);
         if let Some(planes) = &raw.boundary_conditions {
             self.planes(planes, &mut mesh);
         }

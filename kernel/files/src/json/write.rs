@@ -261,12 +261,16 @@ impl Writer {
             let condition = word(PLANE_CONDITIONS, &mesh.planes[*axis][*side]);
             planes.insert(format!("plane_{name}"), condition.into());
         }
-        json!({
+        let mut keys = json!({
             "cells_dimension": self.vector(&mesh.cell),
             "cells_number": mesh.cells[..self.0].to_vec(),
             "origin": self.vector(&mesh.origin),
             "boundary_conditions": planes,
-        })
+        });
+        if mesh.axisymmetric {
+            keys["axisymmetric"] = true.into();
+        }
+        keys
     }
 
     fn body(&self, scene: &Scene, body: &Body) -> Result<Value, NotWritten> {

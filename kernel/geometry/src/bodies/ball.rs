@@ -39,7 +39,11 @@ pub(super) fn fill(
     // The roots only narrow the search; this margin pays for their round-off.
     let margin = 0.01 * lattice.smallest_spacing();
 
-    let bounds = c.map(|x| [x - outer, x + outer]);
+    let mut bounds = c.map(|x| [x - outer, x + outer]);
+    if lattice.begins_on_axis && c[0] == 0.0 {
+        // Half of the disc is revolved.
+        bounds[0][0] = 0.0;
+    }
     lattice.sweep(&bounds, volume, |row, runs| {
         let mut row_square = 0.0;
         for axis in 0..last {

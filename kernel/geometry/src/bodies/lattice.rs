@@ -24,6 +24,8 @@ pub(super) struct Lattice {
     /// Number of sub-cells per axis.
     sub_cells: [i64; 3],
     room: MemoryRoom,
+    /// True where the first axis is a radius that begins at zero.
+    pub begins_on_axis: bool,
 }
 
 /// Sub-cells along the last axis, in a row given by the indices of the other axes.
@@ -75,6 +77,7 @@ impl Lattice {
                 }
             }),
             room,
+            begins_on_axis: mesh.axisymmetric && mesh.origin[0] == 0.0,
         })
     }
 

@@ -13,6 +13,9 @@ use proctor_kernel::stage::g2p::Affine;
 pub(super) fn describe(plan: &Plan, scene: &Scene, demands: PlanOptions) -> Vec<PlanEntry> {
     let mut list = PlanEntries::default();
     let dimension = match scene.dimension {
+        Dimension::Two if plan.axisymmetric => {
+            "2D, axisymmetric: radius and height, masses and forces of the full circle"
+        }
         Dimension::Two => "2D, plane strain",
         Dimension::Three => "3D",
     };
@@ -131,6 +134,15 @@ pub(super) fn describe(plan: &Plan, scene: &Scene, demands: PlanOptions) -> Vec<
              have no safe step with USL or an affine transfer"
         },
     );
+    if plan.axisymmetric {
+        list.choose(
+            "time step",
+            "thin rods and rings",
+            scene.bodies.iter().any(|body| scene.step_share(body) < 1.0),
+            "a body is thinner than two cells along the radius: C r/(r + h), at least half of C",
+            "no body is thinner than two cells along the radius",
+        );
+    }
     list.choose(
         "output",
         "frames, history, checkpoints",

@@ -59,6 +59,7 @@ pub fn plan(scene: &Scene, demands: PlanOptions) -> Plan {
                         || (scene.weighting == Weighting::UniformGimp && is_list(body)),
                     initial_half_length: domain_update.is_some(),
                     force: own_force,
+                    axisymmetric: scene.mesh.axisymmetric,
                 },
                 law.variables(),
             )
@@ -66,6 +67,7 @@ pub fn plan(scene: &Scene, demands: PlanOptions) -> Plan {
         .collect();
     let mut plan = Plan {
         axes,
+        axisymmetric: scene.mesh.axisymmetric,
         family,
         domain_update,
         scheme: scene.scheme,

@@ -99,7 +99,11 @@ fn compress(set: &mut ParticleSet, p: usize, ratio: f64) {
     }
     set.columns[Layout::MASS][p] /= ratio;
     let axes = set.layout.axes;
-    let stretch = libm::pow(ratio, 1.0 / axes as f64);
+    let directions = if set.layout.axisymmetric { 3 } else { axes };
+    let stretch = libm::pow(ratio, 1.0 / directions as f64);
+    if let Some(hoop) = set.layout.hoop_stretch() {
+        set.columns[hoop][p] = stretch;
+    }
     for axis in 0..axes {
         if let Some(first) = set.layout.deformation {
             set.columns[first + axis * axes + axis][p] = stretch;

@@ -12,14 +12,14 @@ pub use start_state::{StartBody, StartState};
 
 use crate::plan::{PlanOptions, plan};
 use crate::values::Scene;
-use proctor_geometry::bodies::{FillError, HalfLength, MemoryRoom, fill_within};
+use proctor_geometry::bodies::{FillError, FilledBody, HalfLength, MemoryRoom, fill_within};
 use proctor_geometry::memory::Memory;
 use proctor_geometry::team::Team;
 use proctor_kernel::grid::GridShape;
 use proctor_kernel::lanes::Selected;
 use proctor_kernel::laws::Particle;
 use proctor_kernel::layout::Layout;
-use proctor_kernel::model::{BoxLoad, DomainUpdate};
+use proctor_kernel::model::{BoxLoad, DomainUpdate, Shape, Weighting};
 use proctor_kernel::particles::ParticleSet;
 use proctor_kernel::plan::Plan;
 use proctor_kernel::simulation::conditions;
@@ -176,6 +176,7 @@ fn fill_body(
     )
     .map_err(refused)?;
     memory_budget::particles(filled.count(), &room, memory).map_err(refused)?;
+    let filled = revolved(filled, scene, &body.shape);
     let material = &scene.materials[body.material];
     let law = scene.law_of(body);
     let law = law.in_cells(scene.size_of_cell()).unwrap_or(law);
@@ -202,6 +203,9 @@ fn fill_body(
             set.columns[first + axis * axes + axis].fill(1.0);
         }
     }
+    if let Some(hoop) = layout.hoop_stretch() {
+        set.columns[hoop].fill(1.0);
+    }
     let half_length = half_lengths(scene, &filled.half_length);
     let widest = fill_half_lengths(&mut set, scene, &filled.half_length, &half_length);
     if widest > 1.0 {
@@ -214,7 +218,15 @@ fn fill_body(
         });
     }
     let mapping = Mapping::new(shape, plan.family, half_length, layout.half_length)
-        .with_least_squares(scene.transfer.kind.kind().least_squares);
+        .with_least_squares(scene.transfer.kind.kind().least_squares)
+        .with_radius(
+            if scene.mesh.axisymmetric {
+                scene.mesh.origin[0]
+            } else {
+                0.0
+            },
+            scene.mesh.axisymmetric && weighs_by_radius(scene.weighting),
+        );
     let speed = body.velocity.iter().map(|v| v * v).sum::<f64>();
     let h = scene.mesh.cell[..axes]
         .iter()
@@ -246,6 +258,7 @@ fn fill_body(
             HalfLength::Uniform(l) if plan.domain_update.is_none() => Some(l),
             _ => None,
         },
+        step_share: scene.step_share(body),
     };
     let found = ParticleMaxima {
         speed_squared: speed.max(run.fastest()),
@@ -256,6 +269,43 @@ fn fill_body(
         fault: None,
     };
     Ok((set, run, found))
+}
+
+/// The particles of a body as rings about the axis, where the scene is axisymmetric: each has the volume of its rectangle, whose
+/// centre is at its radius. Particles that are given one by one have volumes of rings, and squares for domains.
+fn revolved(filled: FilledBody, scene: &Scene, shape: &Shape) -> FilledBody {
+    if !scene.mesh.axisymmetric {
+        return filled;
+    }
+    let around = |x: &f64| std::f64::consts::TAU * (x + scene.mesh.origin[0]);
+    let radii = filled.x[0].iter().enumerate();
+    if matches!(shape, Shape::Particles(_)) {
+        let sides = radii.map(|(p, x)| 0.5 * (filled.volume[p] / around(x)).sqrt());
+        let sides: Vec<f64> = sides.collect();
+        let depth = vec![0.5; sides.len()];
+        return FilledBody {
+            half_length: HalfLength::PerParticle([sides.clone(), sides, depth]),
+            ..filled
+        };
+    }
+    let volume = radii.map(|(p, x)| {
+        let [l, m, _] = filled.half_length.of(p);
+        around(x) * (4.0 * l * m)
+    });
+    let volume: Vec<f64> = volume.collect();
+    FilledBody {
+        exact_volume: volume.iter().sum(),
+        volume,
+        ..filled
+    }
+}
+
+/// Whether derivatives along the radius are integrals over particle domains. B-splines are weights of a point, as hats are.
+fn weighs_by_radius(weighting: Weighting) -> bool {
+    matches!(
+        weighting,
+        Weighting::UniformGimp | Weighting::ContiguousGimp(_)
+    )
 }
 
 /// Half-lengths in cells where they are the same for all particles of the body.
@@ -357,6 +407,9 @@ fn start_from(
                 }
             }
         }
+        if let Some(hoop) = set.layout.hoop_stretch() {
+            set.columns[hoop][p] = state.deformation[2][2];
+        }
     }
 }
 
@@ -378,7 +431,13 @@ fn start_domain(
     };
     let factor = match update {
         DomainUpdate::Determinant => {
-            nalgebra::Vector3::repeat(libm::pow(f.determinant(), 1.0 / axes as f64))
+            // In the plane the domain has no third side.
+            let ratio = if axes == 2 {
+                f.determinant() / f[(2, 2)]
+            } else {
+                f.determinant()
+            };
+            nalgebra::Vector3::repeat(libm::pow(ratio, 1.0 / axes as f64))
         }
         DomainUpdate::Stretch => root_diagonal(f.transpose() * f),
         DomainUpdate::LeftStretch => root_diagonal(f * f.transpose()),

@@ -26,6 +26,15 @@ impl Scene {
         Self::new(Dimension::Three, mesh, 1.0).with_planes(PlaneCondition::Sliding)
     }
 
+    /// An axisymmetric scene: radius and height, with a mesh of square cells of edge `h` \[m\] from the axis on, all of whose boundary
+    /// planes slide; one second long. Masses and forces are those of the full circle.
+    #[must_use]
+    pub fn revolution(cells: [usize; 2], h: f64) -> Self {
+        let mut scene = Self::plane(cells, h);
+        scene.mesh.axisymmetric = true;
+        scene
+    }
+
     /// With this condition on all boundary planes of the mesh.
     #[must_use]
     pub fn with_planes(mut self, condition: PlaneCondition) -> Self {

@@ -166,6 +166,30 @@ impl Scene {
         }
     }
 
+    /// Share of the largest stable step of the table that a body bears. A rod on the axis of revolution has radial and hoop strain by
+    /// one free node, and is stiffer than all bodies of the plane; a thin ring is by less, the farther it is from the axis.
+    #[must_use]
+    pub fn step_share(&self, body: &Body) -> f64 {
+        let h = self.mesh.cell[0];
+        match body.shape.bounds() {
+            Some([low, high]) if self.mesh.axisymmetric => {
+                let inner = low[0].max(0.0);
+                if high[0] - inner >= Self::THICK * h {
+                    return 1.0;
+                }
+                // Hoop strain over radial strain is at most h/r.
+                let middle = 0.5 * (inner + high[0]);
+                (middle / (middle + h)).max(Self::OF_RODS)
+            }
+            _ => 1.0,
+        }
+    }
+
+    /// Radial thickness in cells from which a body takes the steps of the plane.
+    const THICK: f64 = 2.0;
+    /// What rods take: the square of the largest frequency is at most four times that of the plane, 2/(1 - nu) in a solid.
+    const OF_RODS: f64 = 0.5;
+
     /// Whether a boundary plane has a condition: 0 the lower, 1 the upper plane of the axis. A moving base is one.
     #[must_use]
     pub fn plane_acts(&self, axis: usize, side: usize) -> bool {
@@ -191,6 +215,10 @@ impl Scene {
             point_loads: self.point_loads.clone(),
             tractions: self.tractions.clone(),
             box_loads: self.box_loads.clone(),
+            radial_particles: self
+                .bodies
+                .first()
+                .map_or(1, |body| body.particles_per_cell[0]),
             drives_bodies: bodies.clone().any(|body| body.motion.is_some()),
             starts_stressed: self.initial_state.is_some()
                 || bodies.any(|body| body.initial_stress != InitialStress::None),

@@ -3,7 +3,7 @@
 use super::light::Masses;
 use super::{ConditionResult, ConditionType};
 use crate::grid::GridShape;
-use crate::model::{CycleSettings, History, Traction, Vector};
+use crate::model::{CycleSettings, History, Traction, Vector, Weighting};
 use crate::simulation::Cycle;
 use crate::simulation::context::{Condition, FieldNodes, NodalConditions};
 use crate::simulation::fields::SlabField;
@@ -11,6 +11,7 @@ use crate::simulation::history::value;
 use crate::simulation::step_view::StepView;
 use crate::simulation::values::SetupError;
 use crate::stage::solve::{EmptyNode, NodeForce, PlaneSums, Planes};
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// Forces on the nodes of all fields together.
@@ -313,7 +314,8 @@ pub(in crate::simulation) fn load_on(
     })
 }
 
-/// Nodes that a traction acts on, each with its area \[m²\]: the integral of its hat, exact for rectangles that cut cells.
+/// Nodes that a traction acts on, each with its area \[m²\]: the integral of its hat, exact for rectangles that cut cells. Where the
+/// scene is axisymmetric, areas are those of rings, as the particles have them.
 pub(in crate::simulation) fn areas(
     settings: &CycleSettings,
     shape: &GridShape,
@@ -342,7 +344,13 @@ pub(in crate::simulation) fn areas(
         let factor = |node: usize| {
             let n = node as f64;
             if load.p1[axis] == load.p2[axis] {
-                (1.0 - (a - n).abs()).max(0.0)
+                let circumference = match axis {
+                    0 if settings.mesh.axisymmetric => TAU * load.p1[0],
+                    _ => 1.0,
+                };
+                (1.0 - (a - n).abs()).max(0.0) * circumference
+            } else if settings.mesh.axisymmetric && axis == 0 {
+                rings(settings, [a, b], n)
             } else {
                 (hat_integral(b - n) - hat_integral(a - n)) * settings.mesh.cell[axis]
             }
@@ -366,6 +374,51 @@ pub(in crate::simulation) fn areas(
         }
     }
     Ok(all)
+}
+
+/// Area of a node, `n` cells from the lower edge of the mesh, in rings between two places in cells \[m²\]: the sum of its weights over
+/// the rows of particles below, times their radii. Those of the particles act against it, so that a uniform stress is at rest.
+fn rings(settings: &CycleSettings, [a, b]: [f64; 2], n: f64) -> f64 {
+    let (h, first) = (settings.mesh.cell[0], settings.mesh.origin[0]);
+    let per_cell = settings.radial_particles as f64;
+    // What a node beyond the axis would have is folded onto its mirror image.
+    let weight = |lower: f64, upper: f64| match settings.weighting {
+        Weighting::QuadraticBSpline => {
+            let place = 0.5 * (lower + upper);
+            let mirrored = if first == 0.0 && n == 1.0 {
+                spline(place + n)
+            } else {
+                0.0
+            };
+            (spline(place - n) + mirrored) * (upper - lower)
+        }
+        _ => hat_integral(upper - n) - hat_integral(lower - n),
+    };
+    let reach = match settings.weighting {
+        Weighting::QuadraticBSpline => 1.5,
+        _ => 1.0,
+    };
+    let (from, to) = (a.max(n - reach), b.min(n + reach));
+    let mut area = 0.0;
+    let mut lower = from;
+    while lower < to {
+        // A piece ends where a row of particles does.
+        let mut upper = ((lower * per_cell + 1e-9).floor() + 1.0) / per_cell;
+        upper = upper.min(b);
+        area += (first + 0.5 * h * (lower + upper)) * weight(lower, upper);
+        lower = upper;
+    }
+    TAU * h * area
+}
+
+/// The quadratic B-spline at a distance in cells.
+fn spline(distance: f64) -> f64 {
+    let d = distance.abs();
+    if d < 0.5 {
+        0.75 - d * d
+    } else {
+        0.5 * (1.5 - d).max(0.0).powi(2)
+    }
 }
 
 /// Integral of the unit hat from minus infinity to `x`.

@@ -34,6 +34,8 @@ pub struct BodyRun {
     /// Half-lengths of the particle domains \[m\] where all have the same; `None` where they differ or the weighting
     /// function has no domain.
     pub reach: Option<[f64; 3]>,
+    /// Share of the largest stable step of the method that it bears.
+    pub step_share: f64,
 }
 
 impl BodyRun {

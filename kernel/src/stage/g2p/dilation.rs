@@ -67,7 +67,8 @@ impl<const D: usize, const N: usize> Kernel for ExcessKernel<'_, '_, D, N> {
         while at < count {
             let block = block_at::<B::Native, _, D, N>(columns, mapping, at, count);
             let bases = Bases::of::<D>(&block, mapping);
-            let (w, g) = weights_of::<B::Native, _, D, N, false>(columns, mapping, &block, at);
+            let (w, g) =
+                weights_of::<B::Native, _, D, N, false, false>(columns, mapping, &block, at);
             let sum = if bases.number < 2 || B::Native::WIDTH == 1 {
                 sums.of(&bases.reach::<1>(nodes), &w, &g)
             } else {

@@ -3,9 +3,10 @@
 use super::differences::Differences;
 use super::reach::{BlockReach, Rows};
 use super::three_nodes::interpolate_group;
-use super::values::{InterpolatedValues, keep};
+use super::values::{InterpolatedValues, group, keep};
 use crate::lanes::Lanes;
-use crate::stage::{Block, Mapping, weights_of};
+use crate::laws::HOOP;
+use crate::stage::{Block, Mapping, radii, weights_of};
 use crate::weights::Family;
 
 /// Interpolates to one block, with `ON_NODES` from the nodes of [`Bases::before`](super::reach::Bases::before). It writes
@@ -20,6 +21,7 @@ pub(super) fn interpolate<
     const APIC: bool,
     const UPPER: bool,
     const MOVE: bool,
+    const RADIAL: bool,
     const R: usize,
     const ON_NODES: bool,
 >(
@@ -31,16 +33,21 @@ pub(super) fn interpolate<
     to: usize,
     values: &mut InterpolatedValues,
 ) {
-    let [w, g, q] = factors::<L, D, N, APIC, ON_NODES>(columns, mapping, block, at);
+    let [w, g, q] = factors::<L, D, N, APIC, ON_NODES, RADIAL>(columns, mapping, block, at);
     // A particle of a hat that lies on a node has the operations of the others of its group, which reach two nodes.
     if N == 3 && !ON_NODES {
-        return interpolate_group::<L, D, KICK, GRADIENT, APIC, UPPER, MOVE, R>(
+        let differences = Differences::new::<D, N>(&w, &g, &q);
+        interpolate_group::<L, D, KICK, GRADIENT, APIC, UPPER, MOVE, RADIAL, R>(
             mapping,
             reach,
-            &Differences::new::<D, N>(&w, &g, &q),
+            &differences,
             to,
             values,
         );
+        if RADIAL && GRADIENT {
+            hoop_rate(mapping, block, to, values);
+        }
+        return;
     }
     let stencil = Stencil::<L, D, N, R>::new(mapping, reach, &w, &g);
     let affine = if APIC {
@@ -65,7 +72,27 @@ pub(super) fn interpolate<
                 keep(of.affine[axis], &mut values.affine[D * c + axis], to);
             }
         }
+        if RADIAL && GRADIENT && c == 0 {
+            keep(of.source, &mut values.gradient.0[HOOP], to);
+        }
     }
+    if RADIAL && GRADIENT {
+        hoop_rate(mapping, block, to, values);
+    }
+}
+
+/// Divides the radial velocity that strains particles, which stands in the place of the hoop strain rate, by their radius.
+#[inline(always)]
+fn hoop_rate<L: Lanes>(
+    mapping: &Mapping,
+    block: &Block<L>,
+    to: usize,
+    values: &mut InterpolatedValues,
+) {
+    let (_, inverse) = radii(mapping, block);
+    let scale = inverse * L::splat(mapping.inverse_cell[0]);
+    let velocity: L = group(&values.gradient.0[HOOP], to);
+    keep(velocity * scale, &mut values.gradient.0[HOOP], to);
 }
 
 /// Weights, derivatives \[1/m\] and, with APIC, the factors of the affine velocity of a group that begins at particle `at`.
@@ -76,13 +103,14 @@ pub(super) fn factors<
     const N: usize,
     const APIC: bool,
     const ON_NODES: bool,
+    const RADIAL: bool,
 >(
     columns: &[&mut [f64]],
     mapping: &Mapping,
     block: &Block<L>,
     at: usize,
 ) -> [[[L; N]; 3]; 3] {
-    let (w, mut g) = weights_of::<L, _, D, N, ON_NODES>(columns, mapping, block, at);
+    let (w, mut g) = weights_of::<L, _, D, N, ON_NODES, RADIAL>(columns, mapping, block, at);
     let mut q = g;
     for axis in 0..D {
         let scale = L::splat(mapping.inverse_cell[axis]);
@@ -99,6 +127,8 @@ pub(super) fn factors<
 /// One component of the interpolated values.
 struct Component<L> {
     velocity: L,
+    /// The velocity that strains.
+    source: L,
     increment: L,
     gradient: [L; 3],
     affine: [L; 3],
@@ -194,6 +224,7 @@ impl<'a, L: Lanes, const D: usize, const N: usize, const R: usize> Stencil<'a, L
         let source = if UPPER { 4 } else { 1 };
         let mut sums = Component {
             velocity: zero,
+            source: zero,
             increment: zero,
             gradient: [zero; 3],
             affine: [zero; 3],
@@ -242,6 +273,7 @@ impl<'a, L: Lanes, const D: usize, const N: usize, const R: usize> Stencil<'a, L
                     sums.increment = ww.mul_add(dv, sums.increment);
                 }
                 if GRADIENT {
+                    sums.source = ww.mul_add(s, sums.source);
                     sums.gradient[0] = self.gw[i][j].mul_add(s, sums.gradient[0]);
                     sums.gradient[fast] = ww.mul_add(vg, sums.gradient[fast]);
                     if D == 3 {

@@ -1,7 +1,8 @@
 //! Nodes to particles: velocity, position, velocity gradient, stress; lanes = particles.
 //!
 //! v_p = v_p + sum_I S_Ip dv_I (FLIP), x_p = x_p + dt sum_I S_Ip v_I, L_p = sum_I v_I (x) grad S_Ip
-//! (technical manual, algorithm 2, lines 12, 15, 19, 20), then, block by block, the law with L_p.
+//! (technical manual, algorithm 2, lines 12, 15, 19, 20), then, block by block, the law with L_p. Where the first axis is a radius,
+//! L_p has the hoop strain rate sum_I S_Ip v_I,r / r_p too.
 
 mod differences;
 pub mod dilation;
@@ -141,28 +142,44 @@ pub fn instance(axes: usize, nodes: usize, task: &Task) -> G2pFn {
     let gradient = task.strain.is_some() || task.affine == Affine::Tpic;
     let apic = task.affine == Affine::Apic;
     match (axes, nodes) {
-        (2, 2) => sums::<2, 2>(task, gradient, apic),
-        (2, 3) => sums::<2, 3>(task, gradient, apic),
-        (2, _) => sums::<2, 4>(task, gradient, apic),
-        (_, 2) => sums::<3, 2>(task, gradient, apic),
-        (_, 3) => sums::<3, 3>(task, gradient, apic),
-        (_, _) => sums::<3, 4>(task, gradient, apic),
+        (2, 2) => sums::<2, 2, false>(task, gradient, apic),
+        (2, 3) => sums::<2, 3, false>(task, gradient, apic),
+        (2, _) => sums::<2, 4, false>(task, gradient, apic),
+        (_, 2) => sums::<3, 2, false>(task, gradient, apic),
+        (_, 3) => sums::<3, 3, false>(task, gradient, apic),
+        (_, _) => sums::<3, 4, false>(task, gradient, apic),
     }
 }
 
-fn sums<const D: usize, const N: usize>(task: &Task, gradient: bool, apic: bool) -> G2pFn {
+/// Chooses the instance where the first of two axes is a radius.
+#[must_use]
+pub fn axisymmetric_instance(nodes: usize, task: &Task) -> G2pFn {
+    let gradient = task.strain.is_some() || task.affine == Affine::Tpic;
+    let apic = task.affine == Affine::Apic;
+    match nodes {
+        2 => sums::<2, 2, true>(task, gradient, apic),
+        3 => sums::<2, 3, true>(task, gradient, apic),
+        _ => sums::<2, 4, true>(task, gradient, apic),
+    }
+}
+
+fn sums<const D: usize, const N: usize, const RADIAL: bool>(
+    task: &Task,
+    gradient: bool,
+    apic: bool,
+) -> G2pFn {
     // A velocity that is all PIC is that of the nodes, without their increments. Who adds increments and does nothing else has
     // no use for velocities.
     let kick = task.kick && task.pic_fraction != 1.0;
     let moves = task.drift.is_some() || task.pic_fraction != 0.0;
     match (kick, gradient, apic, task.gradient_of_upper) {
-        (true, _, true, _) => entry::<D, N, true, true, true, false, true>,
-        (false, _, true, _) => entry::<D, N, false, true, true, false, true>,
-        (_, true, false, true) => entry::<D, N, false, true, false, true, true>,
-        (true, true, false, false) => entry::<D, N, true, true, false, false, true>,
-        (true, false, false, _) if moves => entry::<D, N, true, false, false, false, true>,
-        (true, false, false, _) => entry::<D, N, true, false, false, false, false>,
-        (false, _, false, _) => entry::<D, N, false, true, false, false, true>,
+        (true, _, true, _) => entry::<D, N, true, true, true, false, true, RADIAL>,
+        (false, _, true, _) => entry::<D, N, false, true, true, false, true, RADIAL>,
+        (_, true, false, true) => entry::<D, N, false, true, false, true, true, RADIAL>,
+        (true, true, false, false) => entry::<D, N, true, true, false, false, true, RADIAL>,
+        (true, false, false, _) if moves => entry::<D, N, true, false, false, false, true, RADIAL>,
+        (true, false, false, _) => entry::<D, N, true, false, false, false, false, RADIAL>,
+        (false, _, false, _) => entry::<D, N, false, true, false, false, true, RADIAL>,
     }
 }
 
@@ -174,16 +191,27 @@ fn entry<
     const APIC: bool,
     const UPPER: bool,
     const MOVE: bool,
+    const RADIAL: bool,
 >(
     lanes: Selected,
     call: G2p<'_, '_>,
 ) -> ParticleMaxima {
-    lanes.run(Instance::<'_, '_, D, N, KICK, GRADIENT, APIC, UPPER, MOVE>(
-        call,
-    ))
+    lanes.run(Instance::<
+        '_,
+        '_,
+        D,
+        N,
+        KICK,
+        GRADIENT,
+        APIC,
+        UPPER,
+        MOVE,
+        RADIAL,
+    >(call))
 }
 
-/// One of these stages as a kernel; `UPPER` takes gradients of the upper lanes, without `MOVE` there are no velocities.
+/// One of these stages as a kernel; `UPPER` takes gradients of the upper lanes, without `MOVE` there are no velocities, with `RADIAL`
+/// the first axis is a radius.
 struct Instance<
     'a,
     'b,
@@ -194,6 +222,7 @@ struct Instance<
     const APIC: bool,
     const UPPER: bool,
     const MOVE: bool,
+    const RADIAL: bool,
 >(pub G2p<'a, 'b>);
 
 impl<
@@ -204,7 +233,8 @@ impl<
     const APIC: bool,
     const UPPER: bool,
     const MOVE: bool,
-> Kernel for Instance<'_, '_, D, N, KICK, GRADIENT, APIC, UPPER, MOVE>
+    const RADIAL: bool,
+> Kernel for Instance<'_, '_, D, N, KICK, GRADIENT, APIC, UPPER, MOVE, RADIAL>
 {
     type Output = ParticleMaxima;
 
@@ -220,7 +250,7 @@ impl<
         while at < end {
             let block = at;
             while at < end && at - block < BLOCK {
-                at += gather::<B::Native, B::Half, D, N, KICK, GRADIENT, APIC, UPPER, MOVE>(
+                at += gather::<B::Native, B::Half, D, N, KICK, GRADIENT, APIC, UPPER, MOVE, RADIAL>(
                     &call,
                     at..end,
                     &mut each,
@@ -274,6 +304,7 @@ fn gather<
     const APIC: bool,
     const UPPER: bool,
     const MOVE: bool,
+    const RADIAL: bool,
 >(
     call: &G2p<'_, '_>,
     Range { start: at, end }: Range<usize>,
@@ -292,7 +323,7 @@ fn gather<
     let count = bases.count;
     macro_rules! interpolate {
         ($nodes:tt, $bases:tt, $on_nodes:tt, $from:expr) => {
-            interpolate::<L, D, $nodes, KICK, GRADIENT, APIC, UPPER, MOVE, $bases, $on_nodes>(
+            interpolate::<L, D, $nodes, KICK, GRADIENT, APIC, UPPER, MOVE, RADIAL, $bases, $on_nodes>(
                 columns,
                 mapping,
                 &$from.reach(nodes),
@@ -313,7 +344,7 @@ fn gather<
         n if n < 2 || L::WIDTH == 1 => interpolate!(N, 1, false, bases),
         2 => interpolate!(N, 2, false, bases),
         _ if D == 3 && N == 3 => {
-            let [w, g, q] = factors::<L, D, N, APIC, false>(columns, mapping, &block, at);
+            let [w, g, q] = factors::<L, D, N, APIC, false, false>(columns, mapping, &block, at);
             let differences = Differences::new::<D, N>(&w, &g, &q);
             each.interpolate_each::<L, Q, D, KICK, GRADIENT, APIC, UPPER, MOVE>(
                 mapping,

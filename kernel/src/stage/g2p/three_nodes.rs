@@ -9,7 +9,7 @@ use super::reach::{BlockReach, Rows};
 use super::values::{Column, InterpolatedValues, keep};
 use crate::grid::Line;
 use crate::lanes::{Lanes, Quad};
-use crate::laws::BLOCK;
+use crate::laws::{BLOCK, HOOP};
 use crate::stage::{Block, Mapping, index_of};
 
 /// The rows that a group of particles reaches.
@@ -40,6 +40,7 @@ pub(super) fn interpolate_group<
     const APIC: bool,
     const UPPER: bool,
     const MOVE: bool,
+    const RADIAL: bool,
     const R: usize,
 >(
     mapping: &Mapping,
@@ -75,6 +76,9 @@ pub(super) fn interpolate_group<
             for axis in 0..D {
                 keep(gradient[axis], &mut values.gradient.0[D * c + axis], to);
             }
+        }
+        if RADIAL && GRADIENT && c == 0 {
+            keep(field.value, &mut values.gradient.0[HOOP], to);
         }
         if APIC {
             let affine = differences.affine::<D>(&field);

@@ -3,6 +3,8 @@
 //! m_I = sum_p m_p S_Ip, p_I = sum_p m_p (v_p + C_p (x_I - x_p)) S_Ip,
 //! f_I = sum_p (f_p S_Ip - V_p sigma_p . grad S_Ip)   (technical manual, algorithm 2, lines 1, 2, 5, 6).
 //!
+//! Where the first axis is a radius, the hoop stress adds -V_p sigma_tt S_Ip / r_p to the radial force.
+//!
 //! The caller owns some planes of nodes and pulls from all particles that reach them; a node's sum is formed
 //! in the order of the particles whatever planes the caller owns, so the bits do not depend on the partition.
 
@@ -69,6 +71,10 @@ const NOTHING: u8 = 0;
 const MASS_GRADIENT: u8 = 1;
 /// It carries the force of the mean stress instead of them.
 const MEAN_STRESS: u8 = 2;
+/// It carries the force of the hoop stress with that of the others, where the first axis is a radius.
+const AXISYMMETRIC: u8 = 3;
+/// It carries the gradient of mass over radius instead of them.
+const RING_GRADIENT: u8 = 4;
 
 /// Form of the sums over the nodes.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -134,6 +140,29 @@ pub fn instance(axes: usize, nodes: usize, full: bool, carry: Carry) -> P2gFn {
         (_, _, false, true) => entry::<3, 4, false, true, NOTHING>,
         (_, _, false, false) => entry::<3, 4, false, false, NOTHING>,
         (_, _, true, _) => entry::<3, 4, true, true, NOTHING>,
+    }
+}
+
+/// Chooses the instance where the first of two axes is a radius. It carries force with mass and momentum alone.
+///
+/// # Panics
+/// For [`Carry::Force`] and [`Carry::MeanStress`], which have no axisymmetric instance.
+#[must_use]
+pub fn axisymmetric_instance(nodes: usize, full: bool, carry: Carry) -> P2gFn {
+    match (carry, nodes, full) {
+        (Carry::Force | Carry::MeanStress { .. }, ..) => {
+            panic!("no axisymmetric mapping carries force alone")
+        }
+        (Carry::All, 2, false) => entry::<2, 2, false, true, AXISYMMETRIC>,
+        (Carry::All, 2, true) => entry::<2, 2, true, true, AXISYMMETRIC>,
+        (Carry::All, 3, false) => entry::<2, 3, false, true, AXISYMMETRIC>,
+        (Carry::All, 3, true) => entry::<2, 3, true, true, AXISYMMETRIC>,
+        (Carry::All, _, false) => entry::<2, 4, false, true, AXISYMMETRIC>,
+        (Carry::All, _, true) => entry::<2, 4, true, true, AXISYMMETRIC>,
+        (Carry::MassGradient, 4, _) => entry::<2, 4, false, true, RING_GRADIENT>,
+        (Carry::MassGradient, ..) => entry::<2, 3, false, true, RING_GRADIENT>,
+        // Mass and momentum go with the weights, which are those of the plane.
+        (Carry::Momentum | Carry::Remap, ..) => instance(2, nodes, full, carry),
     }
 }
 
@@ -247,6 +276,14 @@ pub fn join(line: &mut Line) {
     }
 }
 
+/// The same where the force of the hoop stress, which goes with the weights, lies in the lane of the third component of momentum.
+#[inline(always)]
+pub fn join_with_hoop(line: &mut Line) {
+    join(line);
+    line[4] += line[3];
+    line[3] = 0.0;
+}
+
 /// Whether a stage leaves a node in two parts, which [`join`] adds.
 #[must_use]
 pub fn leaves_parts(axes: usize, full: bool, carry: Carry) -> bool {
@@ -296,7 +333,13 @@ impl OwnedNodes<'_> {
             SumForm::Rows
         };
         if sums == SumForm::Rows {
-            scratch.fill_weights::<B::Line, D, FULL, GRADIENT, ON_NODES>(from, block, at);
+            // A comparison is no argument of a generic function.
+            if EXTRA == AXISYMMETRIC {
+                scratch.fill_weights::<B::Line, D, FULL, GRADIENT, true, ON_NODES>(from, block, at);
+            } else {
+                scratch
+                    .fill_weights::<B::Line, D, FULL, GRADIENT, false, ON_NODES>(from, block, at);
+            }
         } else {
             products.fill::<B::Line, FULL>(from, block, at, sums == SumForm::Linear);
         }

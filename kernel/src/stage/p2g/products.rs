@@ -56,7 +56,7 @@ impl Products {
         at: usize,
         linear: bool,
     ) {
-        let (w, g) = weights_of::<L, _, 3, 3, false>(from.columns, from.mapping, block, at);
+        let (w, g) = weights_of::<L, _, 3, 3, false, false>(from.columns, from.mapping, block, at);
         let (one, least) = (L::splat(1.0), L::splat(LEAST));
         for axis in 0..3 {
             if FULL {

@@ -1,6 +1,6 @@
 //! Weights and quantities of a block of particles, as the sums over nodes want them.
 
-use super::{Carry, MASS_GRADIENT, MEAN_STRESS, SumForm, voigt};
+use super::{AXISYMMETRIC, Carry, MASS_GRADIENT, MEAN_STRESS, RING_GRADIENT, SumForm, voigt};
 use crate::lanes::{Lanes, Quad, load};
 use crate::layout::Layout;
 use crate::stage::{Block, Mapping, weights_of};
@@ -61,6 +61,7 @@ impl<const N: usize> Scratch<N> {
         const D: usize,
         const FULL: bool,
         const GRADIENT: bool,
+        const RADIAL: bool,
         const ON_NODES: bool,
     >(
         &mut self,
@@ -68,7 +69,8 @@ impl<const N: usize> Scratch<N> {
         block: &Block<L>,
         at: usize,
     ) {
-        let (w, g) = weights_of::<L, _, D, N, ON_NODES>(from.columns, from.mapping, block, at);
+        let (w, g) =
+            weights_of::<L, _, D, N, ON_NODES, RADIAL>(from.columns, from.mapping, block, at);
         for axis in 0..D {
             for n in 0..N {
                 w[axis][n].store(&mut self.w[axis][n]);
@@ -160,7 +162,13 @@ fn rows<Q: Quad, const D: usize, const FULL: bool, const EXTRA: u8>(
     let (mut lower, mut upper) = ([[zero; 4]; 4], [[zero; 4]; 4]);
     let (columns, mapping, carry) = (from.columns, from.mapping, from.carry);
     let m = load::<Q>(&columns[Layout::MASS], at, count);
-    if EXTRA == MASS_GRADIENT {
+    if EXTRA == MASS_GRADIENT || EXTRA == RING_GRADIENT {
+        // A uniform body has no gradient inside where the mass of a ring is that of one length of it.
+        let m = if EXTRA == RING_GRADIENT {
+            m / radius(columns, mapping, at, count)
+        } else {
+            m
+        };
         for axis in 0..D {
             let (line, lane) = place_of::<D, false>(axis, axis);
             upper[line][lane] = m * Q::splat(mapping.inverse_cell[axis]);
@@ -238,8 +246,24 @@ fn rows<Q: Quad, const D: usize, const FULL: bool, const EXTRA: u8>(
                 }
             }
         }
+        if EXTRA == AXISYMMETRIC {
+            // The hoop force goes with the weights alone: without affine terms in the lane of the third component of momentum.
+            let hoop = load::<Q>(&columns[Layout::stress(D) + 2], at, count);
+            let force = volume * hoop / radius(columns, mapping, at, count);
+            if FULL {
+                upper[0][0] = upper[0][0] + force;
+            } else {
+                lower[0][3] = force;
+            }
+        }
     }
     (lower, upper)
+}
+
+/// Radius of `count` particles \[m\].
+#[inline(always)]
+fn radius<Q: Quad>(columns: &[Vec<f64>], mapping: &Mapping, at: usize, count: usize) -> Q {
+    load::<Q>(&columns[Layout::POSITION], at, count) + Q::splat(mapping.first_radius)
 }
 
 /// Line of the terms that go with the derivative along an axis: 1 slow, 2 middle, 3 fast.

@@ -115,6 +115,7 @@ pub fn slab(plane: &Scene) -> Result<Scene, NoSlab> {
         cell,
         cells,
         planes,
+        ..
     } = plane.mesh.clone();
     Ok(Scene {
         dimension: Dimension::Three,
@@ -123,6 +124,7 @@ pub fn slab(plane: &Scene) -> Result<Scene, NoSlab> {
             cell: deep(cell, thickness),
             cells: [cells[0], cells[1], 1],
             planes: [planes[0], planes[1], [PlaneCondition::Sliding; 2]],
+            axisymmetric: false,
         },
         bodies,
         box_loads: loads.collect(),

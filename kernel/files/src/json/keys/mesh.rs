@@ -25,6 +25,12 @@ pub(in crate::json) struct RawMesh {
         "x-unit" = "m", "x-default" = "zero, as in the manuals' program", "examples" = [[-1, 0], [-1, -1, 0]]
     ))]
     pub origin: Option<Vec<f64>>,
+    /// Whether x is the radius and y the height of a body of revolution. Masses, forces and energies are then those of the full
+    /// circle, and the stress ZZ is the hoop stress.
+    #[schemars(extend(
+        "x-needs" = "`dimension` 2", "default" = false, "examples" = [true]
+    ))]
+    pub axisymmetric: Option<bool>,
     /// Conditions on the planes; a plane that is not named is sliding.
     #[schemars(extend(
         "x-default" = "all planes are sliding", "examples" = [{"plane_X0": "fixed", "plane_Yn": "free"}]

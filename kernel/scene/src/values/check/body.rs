@@ -285,8 +285,14 @@ fn check_place(shape: &Shape, scene: &Scene, path: &str, problems: &mut Collecto
             };
             // One message for a body: all of them would speak of the same radius.
             let path = format!("{path}.{key}");
+            let is_revolved = mesh.axisymmetric && center[0] == 0.0 && mesh.origin[0] == 0.0;
             (0..axes).any(|axis| {
-                [-radius, *radius]
+                let low = if axis == 0 && is_revolved {
+                    0.0
+                } else {
+                    -radius
+                };
+                [low, *radius]
                     .iter()
                     .any(|reach| outside(mesh, axis, center[axis] + reach, &path, problems))
             });

@@ -8,6 +8,7 @@ mod contact;
 mod history;
 mod load;
 mod mortar;
+mod revolution;
 mod surface;
 
 use self::collector::Collector;
@@ -40,6 +41,7 @@ impl Scene {
         contact::check(self, &mut problems);
         mortar::check(self, &mut problems);
         surface::check(self, &mut problems);
+        revolution::check(self, &mut problems);
         self.check_results(&mut problems);
         SceneError::unless_empty(problems.found)
     }
