@@ -162,6 +162,7 @@ pub(crate) fn prepared(mut scene: Scene, frames: usize, step: f64) -> Scene {
     };
     scene.results = Results {
         print: frames,
+        history_interval: None,
         fields: vec![Field::Id, Field::Displacement, Field::Velocity],
         nodal_fields: vec![],
         checkpoint: false,

@@ -180,6 +180,12 @@ pub fn unit(column: &str) -> &'static str {
         "N s"
     } else if column.starts_with("momentum_") {
         "kg m/s"
+    } else if column.ends_with("_displacement") {
+        "m"
+    } else if column.ends_with("_velocity") {
+        "m/s"
+    } else if column.ends_with("_mises_stress") || column.ends_with("_pressure") {
+        "Pa"
     } else if column.ends_with("_mass") {
         "kg"
     } else if ends(&["contact_f"]) {
@@ -211,6 +217,13 @@ pub fn unit(column: &str) -> &'static str {
 #[must_use]
 pub fn usual(run: &MeshRun) -> Vec<Quantity> {
     let mut all = vec![];
+    // The particle with the largest value is another one on each mesh.
+    let is_place_of_largest = |column: &str| {
+        let probe = column.rsplit_once('_').map(|(probe, _)| probe);
+        probe.is_some_and(|probe| run.columns.contains_key(&format!("{probe}_particle")))
+            && unit(column) == "m"
+            && LETTERS.iter().any(|letter| column.ends_with(letter))
+    };
     let left_out = |column: &str| {
         column.ends_with("_mass")
             || column.starts_with("momentum_")
@@ -219,6 +232,7 @@ pub fn usual(run: &MeshRun) -> Vec<Quantity> {
             || column == "energy_remainder"
             || column.ends_with("_algorithmic")
             || column.starts_with("boundary_drift")
+            || is_place_of_largest(column)
             || matches!(unit(column), "Pa" | "N" | "")
     };
     for column in run.columns.keys().filter(|column| !left_out(column)) {
@@ -289,6 +303,9 @@ mod tests {
             ("body1_impulse_y", "N s"),
             ("tip_sxy", "Pa"),
             ("boundary_drift", ""),
+            ("most_displacement", "m"),
+            ("most_mises_stress", "Pa"),
+            ("most_particle", ""),
         ] {
             assert_eq!(unit(column), found, "{column}");
         }

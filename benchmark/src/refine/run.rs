@@ -129,10 +129,12 @@ pub fn columns(scene: &Scene, options: &Options) -> Result<Vec<String>, Box<Setu
     Ok(Recorder::new(&simulation, &probes).names)
 }
 
-/// The scene without its probes, which are read at material points instead, and with outputs; and the probes.
-fn prepared(scene: &Scene) -> (Scene, Vec<Probe>) {
+/// The scene without the probes of points, which are read at material points instead, and with outputs; and those points, each
+/// with the prefix of its columns.
+fn prepared(scene: &Scene) -> (Scene, Vec<(String, Vector)>) {
     let mut scene = scene.clone();
-    let probes = std::mem::take(&mut scene.probes);
+    let probes = scene.probes.iter().flat_map(Probe::points).collect();
+    scene.probes.retain(|probe| probe.points().is_empty());
     scene.results.checkpoint = false;
     if scene.results.print == 0 {
         scene.results.print = OUTPUTS;
@@ -168,16 +170,13 @@ enum Touched {
 }
 
 impl Recorder {
-    fn new(simulation: &Simulation, probes: &[Probe]) -> Self {
+    fn new(simulation: &Simulation, probes: &[(String, Vector)]) -> Self {
         let letters = &LETTERS[..simulation.plan().axes];
         let rows = HistoryRows::new(simulation);
         let mut names = rows.columns(simulation);
         let points: Vec<(String, Option<MaterialPoint>)> = probes
             .iter()
-            .map(|probe| {
-                let point = MaterialPoint::at(simulation, &probe.position);
-                (probe.name.clone(), point)
-            })
+            .map(|(name, position)| (name.clone(), MaterialPoint::at(simulation, position)))
             .collect();
         for (name, _) in &points {
             names.extend(letters.iter().map(|l| format!("{name}_u{l}")));

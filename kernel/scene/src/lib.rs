@@ -35,7 +35,7 @@ mod values;
 
 pub use values::{
     Body, BodyEntry, Field, InitialStress, Location, MOST_CREEP, Material, NodalField, Probe,
-    Problem, Results, Scene, SceneError, StateFile,
+    ProbeTarget, ProbedQuantity, Problem, Results, Scene, SceneError, StateFile,
 };
 // What a scene is made of beside its own values.
 pub use proctor_contact::{
@@ -43,9 +43,9 @@ pub use proctor_contact::{
     MortarContact, RigidFacets, RigidLine, RigidSurface, SurfaceHandle, Vertices,
 };
 pub use proctor_kernel::model::{
-    BaseMotion, BoxLoad, Damping, Dimension, DomainUpdate, GroundBeyond, HeldBox, History, Mesh, Motion,
-    OnImbalance, Outside, ParticleSeed, PlaneCondition, PointLoad, Shape, StressScheme, TimeStep,
-    Traction, Transfer, TransferKind, Vector, VolumetricStrain, Weighting,
+    BaseMotion, BoxLoad, Damping, Dimension, DomainUpdate, GroundBeyond, HeldBox, History, Mesh,
+    Motion, OnImbalance, Outside, ParticleSeed, PlaneCondition, PointLoad, Shape, StressScheme,
+    TimeStep, Traction, Transfer, TransferKind, Vector, VolumetricStrain, Weighting,
 };
 
 /// Simulations of scenes, with what the kernel and contact have for them.

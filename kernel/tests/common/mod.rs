@@ -142,12 +142,7 @@ pub fn empty(dimension: Dimension, cells: [usize; 3], h: f64) -> Scene {
         mortar: Mortar::default(),
         outside: Outside::Stop,
         on_imbalance: OnImbalance::Tell,
-        results: Results {
-            print: 0,
-            fields: vec![],
-            nodal_fields: vec![],
-            checkpoint: false,
-        },
+        results: Results::NONE,
         probes: vec![],
         threads: None,
     }

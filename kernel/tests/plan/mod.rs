@@ -105,6 +105,7 @@ fn fields_that_are_kept_are_there_and_filled() {
             |s| {
                 s.results = Results {
                     print: 1,
+                    history_interval: None,
                     fields: vec![Field::Displacement],
                     nodal_fields: vec![],
                     checkpoint: false,
@@ -117,6 +118,7 @@ fn fields_that_are_kept_are_there_and_filled() {
             |s| {
                 s.results = Results {
                     print: 1,
+                    history_interval: None,
                     fields: vec![Field::DeformationGradient],
                     nodal_fields: vec![],
                     checkpoint: false,

@@ -273,10 +273,7 @@ const FEATURES: [Feature; 23] = [
         "a probe of a history that is not written",
         "initial position",
         |s, _| {
-            s.probes = vec![Probe {
-                name: "probe".into(),
-                position: [0.4, 0.4, 0.0],
-            }];
+            s.probes = vec![Probe::at("probe", [0.4, 0.4, 0.0])];
         },
         None,
     ),
@@ -376,6 +373,7 @@ const FEATURES: [Feature; 23] = [
         |s, _| {
             s.results = Results {
                 print: 3,
+                history_interval: None,
                 fields: vec![Field::DeformationGradient],
                 nodal_fields: vec![],
                 checkpoint: true,

@@ -194,12 +194,7 @@ impl Problem {
             dt: self.steps(cells).0,
             allow_unstable: false,
         };
-        scene.results = Results {
-            print: 0,
-            fields: vec![],
-            nodal_fields: vec![],
-            checkpoint: false,
-        };
+        scene.results = Results::NONE;
         // With an affine transfer nodes that are prescribed give particles a momentum that the watch takes for lost.
         scene.on_imbalance = if self.family.has_frame() {
             OnImbalance::Tell

@@ -6,7 +6,7 @@ use super::words::{
     DAMPINGS, DampingKind, FIELDS, NODAL_FIELDS, ON_IMBALANCE, OUTSIDES, SCHEMES,
     VOLUMETRIC_STRAINS, domain_updates, shape_functions, transfers,
 };
-use proctor_scene::{Damping, Probe, Scene, TimeStep, Transfer, Weighting};
+use proctor_scene::{Damping, Scene, TimeStep, Transfer, Weighting};
 
 impl Build<'_> {
     /// Time step, gravity, weighting, scheme, transfer, damping.
@@ -154,12 +154,13 @@ impl Build<'_> {
         }
     }
 
-    /// What is written: outputs, fields, probes.
+    /// Results: outputs, fields, probes.
     pub(super) fn results(&mut self, raw: &RawScene, scene: &mut Scene) {
         if let Some(results) = &raw.results {
             if let Some(print) = results.print {
                 scene.results.print = print;
             }
+            scene.results.history_interval = results.history_interval;
             scene.results.checkpoint = results.checkpoint.unwrap_or(true);
             let fields = self.either(
                 "results",
@@ -194,20 +195,6 @@ impl Build<'_> {
                 }
             }
         }
-        for (i, probe) in raw.probes.iter().flatten().enumerate() {
-            let path = format!("probes[{i}]");
-            let position = self.vector(
-                &format!("{path}.point"),
-                probe.point.as_ref(),
-                "a position [m]",
-            );
-            if probe.name.is_none() {
-                self.missing(format!("{path}.name"), "a text, prefix of the columns");
-            }
-            scene.probes.push(Probe {
-                name: probe.name.clone().unwrap_or_else(|| format!("missing{i}")),
-                position,
-            });
-        }
+        self.probes(raw, scene);
     }
 }

@@ -18,6 +18,7 @@ mod mortar;
 mod own;
 mod parse;
 pub mod position;
+mod probes;
 mod shapes;
 mod source;
 mod stages;

@@ -89,6 +89,9 @@ pub fn write(scene: &Scene) -> Result<SceneWriter, NotWritten> {
     if scene.on_imbalance == OnImbalance::Stop {
         keys["on_imbalance"] = "stop".into();
     }
+    if let Some(interval) = scene.results.history_interval {
+        keys["results"]["history_interval"] = interval.into();
+    }
     if !scene.results.nodal_fields.is_empty() {
         let fields = scene.results.nodal_fields.iter();
         let words = fields.map(|field| field_word(NODAL_FIELDS, field));

@@ -176,7 +176,8 @@ fn csv_line(fields: &[String]) -> io::Result<String> {
     String::from_utf8(bytes).map_err(io::Error::other)
 }
 
-fn row(time: f64, step: u64, values: &[f64]) -> String {
+/// The line of a row, with its line end.
+pub(crate) fn row(time: f64, step: u64, values: &[f64]) -> String {
     use std::fmt::Write as _;
     // `{:?}` is the shortest form that round-trips; unlike `{}` it writes 1e-300 with an exponent.
     let mut line = format!("{time:?},{step}");

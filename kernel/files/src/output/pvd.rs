@@ -162,22 +162,28 @@ impl Series {
     }
 
     fn write_list(&self) -> Result<(), OutputError> {
-        let mut text = String::from(
-            "<?xml version=\"1.0\"?>\n\
-             <VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n\
-             <Collection>\n",
-        );
-        for FrameEntry { file, time } in &self.entries {
-            // Writing to a string does not fail.
-            let _ = writeln!(
-                text,
-                "<DataSet timestep=\"{time:?}\" part=\"0\" file=\"{}\"/>",
-                escape(file)
-            );
-        }
-        text.push_str("</Collection>\n</VTKFile>\n");
+        let text = list_text(&self.entries);
         atomic::write(&self.list_path(), |file| file.write_all(text.as_bytes()))
     }
+}
+
+/// The text of a list of frames.
+pub(crate) fn list_text(entries: &[FrameEntry]) -> String {
+    let mut text = String::from(
+        "<?xml version=\"1.0\"?>\n\
+         <VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n\
+         <Collection>\n",
+    );
+    for FrameEntry { file, time } in entries {
+        // Writing to a string does not fail.
+        let _ = writeln!(
+            text,
+            "<DataSet timestep=\"{time:?}\" part=\"0\" file=\"{}\"/>",
+            escape(file)
+        );
+    }
+    text.push_str("</Collection>\n</VTKFile>\n");
+    text
 }
 
 /// File name of the frame with this number: `particles_000000.vtu`, and more digits when six are not enough.
@@ -186,7 +192,7 @@ pub fn frame_name(number: u64) -> String {
     name_of(PARTICLES, number, "vtu")
 }
 
-pub(super) fn name_of(stem: &str, number: u64, extension: &str) -> String {
+pub(crate) fn name_of(stem: &str, number: u64, extension: &str) -> String {
     format!("{stem}_{number:06}.{extension}")
 }
 

@@ -27,6 +27,9 @@ pub struct Summary {
     /// The plan: what was kept and what was left out. A `null`, it or inside it, is not written.
     #[serde(default, skip_serializing_if = "Value::is_null")]
     pub plan: Value,
+    /// The mesh, where it lies at the end.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mesh: Option<SummaryMesh>,
     /// Number of particles at the end.
     pub particles: u64,
     /// Number of nodes with mass at the end.
@@ -91,6 +94,17 @@ pub struct Summary {
     /// Why it ended so, unless it finished.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub error: Option<String>,
+}
+
+/// The background mesh, one value per axis.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct SummaryMesh {
+    /// Lower corner \[m\].
+    pub origin: Vec<f64>,
+    /// Sides of a cell \[m\].
+    pub cell: Vec<f64>,
+    /// Number of cells.
+    pub cells: Vec<u64>,
 }
 
 /// Energy at the end of the run \[J\], all of it at the time of the positions. What was there at the start and was brought in

@@ -1,6 +1,8 @@
 //! The state of a simulation as frames, history rows and checkpoints.
 
 use super::history::{HistoryRows, STRESS};
+use super::probes::by_identifier;
+use super::schedule::{HistorySchedule, NOMINAL_TIME};
 use super::{RunError, boundaries, grid, state};
 use crate::output::checkpoint::CHECKPOINT;
 use crate::output::earlier;
@@ -20,6 +22,8 @@ pub(super) struct Files {
     boundaries: Option<Series>,
     history: Option<HistoryWriter>,
     rows: HistoryRows,
+    /// States with a row, where the history has an interval of its own.
+    schedule: Option<HistorySchedule>,
     /// Reasons for caution at the outputs so far, of each kind the one that says most.
     cautions: Vec<ResultWarning>,
 }
@@ -41,22 +45,31 @@ impl Files {
             boundaries: None,
             history: None,
             rows: HistoryRows::new(simulation),
+            schedule: None,
             cautions: vec![],
         };
-        if simulation.scene().results.print > 0 {
-            let columns = files.rows.columns(simulation);
-            let time = simulation.time();
-            if resume {
-                files.series = Some(Series::resume(
-                    files.folder.clone(),
-                    Compression::None,
-                    time,
-                )?);
-                files.history = Some(HistoryWriter::resume(&files.folder, &columns, time)?.0);
+        let results = &simulation.scene().results;
+        let time = simulation.time();
+        if results.writes_history() {
+            let mut columns = files.rows.columns(simulation);
+            columns.extend(results.history_interval.map(|_| NOMINAL_TIME.to_owned()));
+            let history = if resume {
+                HistoryWriter::resume(&files.folder, &columns, time)?.0
             } else {
-                files.series = Some(Series::create(files.folder.clone(), Compression::None)?);
-                files.history = Some(HistoryWriter::create(&files.folder, &columns)?);
-            }
+                HistoryWriter::create(&files.folder, &columns)?
+            };
+            let last = history.last_time();
+            files.schedule = results
+                .history_interval
+                .map(|interval| HistorySchedule::new(interval, simulation.clock(), last));
+            files.history = Some(history);
+        }
+        if results.print > 0 {
+            files.series = Some(if resume {
+                Series::resume(files.folder.clone(), Compression::None, time)?
+            } else {
+                Series::create(files.folder.clone(), Compression::None)?
+            });
             let series = |stem| {
                 let folder = files.folder.clone();
                 if resume {
@@ -65,7 +78,7 @@ impl Files {
                     Series::create_named(folder, stem, Compression::None)
                 }
             };
-            if !simulation.scene().results.nodal_fields.is_empty() {
+            if !results.nodal_fields.is_empty() {
                 files.grid = Some(series(GRID)?);
             }
             if simulation.has_boundaries() {
@@ -84,36 +97,59 @@ impl Files {
         &self.folder
     }
 
+    /// True where the present state has a row in a history with an interval of its own.
+    pub(super) fn is_row_due(&self, simulation: &Simulation) -> bool {
+        let schedule = self.schedule.as_ref();
+        schedule.is_some_and(|schedule| schedule.is_due(simulation.clock()))
+    }
+
+    /// Writes the row of the present state into a history with an interval of its own, where it is to have one.
+    pub(super) fn write_due_row(&mut self, simulation: &mut Simulation) -> Result<(), RunError> {
+        if let (Some(schedule), Some(history)) = (&mut self.schedule, &mut self.history)
+            && schedule.is_due(simulation.clock())
+        {
+            let energy = simulation.energy();
+            let mut row = self.rows.row(simulation, &energy);
+            row.push(schedule.take(simulation.clock()));
+            history.append(simulation.time(), simulation.steps(), &row)?;
+        }
+        Ok(())
+    }
+
     /// Writes frame, history row and checkpoint; what a resumed file already has is left as it is.
     pub(super) fn write(&mut self, simulation: &mut Simulation) -> Result<(), RunError> {
+        self.write_due_row(simulation)?;
         let time = simulation.time();
-        let history = self.history.as_ref();
-        let wanted =
-            history.is_some_and(|history| history.last_time().is_none_or(|last| last < time));
-        let row = wanted.then(|| {
+        let is_later = |last: Option<f64>| last.is_none_or(|last| last < time);
+        let rows_are_frames = self.schedule.is_none();
+        let is_new = match (&self.series, &self.history) {
+            (_, Some(history)) if rows_are_frames => is_later(history.last_time()),
+            (series, _) => series.as_ref().is_some_and(|s| is_later(s.last_time())),
+        };
+        let row = is_new.then(|| {
             let energy = simulation.energy();
             worst(&mut self.cautions, simulation.cautions(&energy));
-            self.rows.row(simulation, &energy)
+            rows_are_frames.then(|| self.rows.row(simulation, &energy))
         });
         simulation.note_extremes();
         let simulation = &*simulation;
         if let Some(series) = &mut self.series
-            && series.last_time().is_none_or(|last| last < time)
+            && is_later(series.last_time())
         {
             series.write_frame(&frame(simulation))?;
         }
         if let Some(grid) = &mut self.grid
-            && grid.last_time().is_none_or(|last| last < time)
+            && is_later(grid.last_time())
             && let Some(frame) = grid::frame(simulation)
         {
             grid.write_frame(&frame)?;
         }
         if let Some(boundaries) = &mut self.boundaries
-            && boundaries.last_time().is_none_or(|last| last < time)
+            && is_later(boundaries.last_time())
         {
             boundaries.write_frame(&boundaries::frame(simulation))?;
         }
-        if let (Some(history), Some(row)) = (&mut self.history, row) {
+        if let (Some(history), Some(Some(row))) = (&mut self.history, row) {
             history.append(time, simulation.steps(), &row)?;
         }
         if simulation.scene().results.checkpoint && self.series.is_some() {
@@ -135,12 +171,10 @@ pub(super) fn worst(all: &mut Vec<ResultWarning>, more: Vec<ResultWarning>) {
 }
 
 /// The particles in order of the identifier with the fields of the scene.
-fn frame(simulation: &Simulation) -> Frame {
+pub(super) fn frame(simulation: &Simulation) -> Frame {
     let mut order: Vec<(usize, usize)> = vec![];
     for (s, set) in simulation.sets().iter().enumerate() {
-        let mut own: Vec<usize> = (0..set.len()).collect();
-        own.sort_unstable_by_key(|&p| set.id[p]);
-        order.extend(own.into_iter().map(|p| (s, p)));
+        order.extend(by_identifier(set).into_iter().map(|p| (s, p)));
     }
     let mut fields = simulation.scene().results.fields.clone();
     fields.sort_unstable();

@@ -1,5 +1,6 @@
 //! The columns of `history.csv`, and their values of one state.
 
+use super::probes::FollowedProbe;
 use proctor_scene::simulation::{Energy, Simulation};
 
 /// Components of the stress, in the order of the particles.
@@ -7,14 +8,7 @@ pub(super) const STRESS: [&str; 6] = ["XX", "YY", "ZZ", "YZ", "XZ", "XY"];
 
 /// Rows of the history of a simulation.
 pub struct HistoryRows {
-    probes: Vec<ProbedParticle>,
-}
-
-/// A probe and the particle that it follows.
-struct ProbedParticle {
-    name: String,
-    set: usize,
-    id: u64,
+    probes: Vec<FollowedProbe>,
 }
 
 impl HistoryRows {
@@ -22,7 +16,7 @@ impl HistoryRows {
     #[must_use]
     pub fn new(simulation: &Simulation) -> Self {
         Self {
-            probes: probed(simulation),
+            probes: FollowedProbe::all(simulation),
         }
     }
 
@@ -49,17 +43,7 @@ impl HistoryRows {
             );
         }
         for probe in &self.probes {
-            names.extend(letters.iter().map(|l| format!("{}_u{l}", probe.name)));
-            names.extend(letters.iter().map(|l| format!("{}_v{l}", probe.name)));
-            names.extend(
-                STRESS
-                    .iter()
-                    .map(|s| format!("{}_s{}", probe.name, s.to_lowercase())),
-            );
-            let layout = simulation.sets()[probe.set].layout;
-            names.extend(layout.components().map(|(variable, i, _)| {
-                format!("{}_{}", probe.name, variable.component(i).replace(' ', "_"))
-            }));
+            names.extend(probe.columns(simulation));
         }
         names.push("velocity_time".into());
         names.extend(BALANCE.map(str::to_owned));
@@ -96,19 +80,7 @@ impl HistoryRows {
             row.extend_from_slice(&simulation.surface_force(surface)[..axes]);
         }
         for probe in &self.probes {
-            let set = &simulation.sets()[probe.set];
-            if let Some(p) = set.id.iter().position(|id| *id == probe.id) {
-                let u = simulation
-                    .displacement(probe.set, p)
-                    .unwrap_or([f64::NAN; 3]);
-                row.extend_from_slice(&u[..axes]);
-                row.extend_from_slice(&set.velocity(p)[..axes]);
-                row.extend_from_slice(&set.stress(p));
-                row.extend(set.variables(p));
-            } else {
-                let cells = 2 * axes + STRESS.len() + set.layout.components().count();
-                row.extend(std::iter::repeat_n(f64::NAN, cells));
-            }
+            row.extend(probe.values(simulation));
         }
         row.push(simulation.velocity_time());
         row.extend([
@@ -162,39 +134,4 @@ const DRIFT: [&str; 2] = ["boundary_drift", "boundary_drift_in_cells"];
 /// Whether a body has a boundary, whose vertices could drift.
 fn has_drift(simulation: &Simulation) -> bool {
     !simulation.scene().mortar.boundaries.is_empty()
-}
-
-/// The particle nearest to each probe.
-fn probed(simulation: &Simulation) -> Vec<ProbedParticle> {
-    let scene = simulation.scene();
-    let follow = |position: &[f64; 3]| {
-        let mut best: Option<(f64, u64, usize)> = None;
-        for (s, set) in simulation.sets().iter().enumerate() {
-            for p in 0..set.len() {
-                let x = simulation
-                    .initial_position(s, p)
-                    .unwrap_or_else(|| simulation.position(s, p));
-                let square: f64 = (0..simulation.plan().axes)
-                    .map(|axis| (x[axis] - position[axis]).powi(2))
-                    .sum();
-                // Of equally near particles the one with the smallest identifier, whatever their order.
-                if best.is_none_or(|(d, id, _)| (square, set.id[p]) < (d, id)) {
-                    best = Some((square, set.id[p], s));
-                }
-            }
-        }
-        best
-    };
-    scene
-        .probes
-        .iter()
-        .filter_map(|probe| {
-            let (_, id, set) = follow(&probe.position)?;
-            Some(ProbedParticle {
-                name: probe.name.clone(),
-                set,
-                id,
-            })
-        })
-        .collect()
 }

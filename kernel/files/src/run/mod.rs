@@ -5,8 +5,8 @@
 //! ```text
 //! let mut run = Run::start(&scene, &options, Some(folder), None)?;
 //! while let Some(stop) = run.next_stop() {
-//!     run.advance(stop, |_| Go::On)?;   // steps
-//!     run.write()?;                     // frames, history row, checkpoint
+//!     run.advance(stop, |_| RunControl::On)?;   // steps, and rows of a history with an interval of its own
+//!     run.write()?;                             // frames, history row, checkpoint
 //! }
 //! run.summary()
 //! ```
@@ -14,24 +14,29 @@
 mod boundaries;
 mod error;
 mod files;
+mod forecast;
 mod grid;
 mod history;
+mod probes;
+mod schedule;
 mod start_state;
 mod state;
 
 pub use error::RunError;
+pub use forecast::{OutputForecast, StepForecast, next_stop};
 pub use history::HistoryRows;
 
 use crate::output::summary::{
-    OVERLAP, Status, SummaryDrift, SummaryEnergy, SummaryEvent, VOLUME_RATIO, Warning, YieldingBody,
+    OVERLAP, Status, SummaryDrift, SummaryEnergy, SummaryEvent, SummaryMesh, VOLUME_RATIO, Warning,
+    YieldingBody,
 };
 use crate::output::{Checkpoint, OutputFolder, Summary};
 use files::Files;
+use proctor_scene::Scene;
 use proctor_scene::plan::Plan;
 use proctor_scene::simulation::{
     BodyEnergy, Energy, Event, EventKind, Options, ResultWarning, Simulation, StepError, StepInfo,
 };
-use proctor_scene::{Scene, TimeStep};
 use serde_json::{Value, json};
 use std::path::Path;
 use std::sync::Arc;
@@ -123,71 +128,59 @@ impl Run {
         if self.interrupted || self.balanced || self.failure.is_some() {
             return None;
         }
-        let scene = self.simulation.scene();
-        let intervals = scene.results.print.max(1) as f64;
-        // Half a constant step, or round-off, may separate the state from the output time that it stands for.
-        let slack = match scene.time_step {
-            TimeStep::Fixed { dt, .. } => 0.5 * dt,
-            _ => 1e-9 * scene.time / intervals,
-        };
-        let reached = self.simulation.time() + slack;
-        if reached >= scene.time {
-            return None;
-        }
-        let done = (reached / scene.time * intervals).floor();
-        if done + 1.0 >= intervals {
-            return Some(scene.time);
-        }
-        let next = scene.time * ((done + 1.0) / intervals);
-        // Outputs may be closer than the digits of the time: the next one is later than the state in any case.
-        Some(next.max(reached.next_up()))
+        forecast::next_stop(self.simulation.scene(), self.simulation.time())
     }
 
-    /// Steps until the time `stop`, as [`Run::next_stop`] gives it. `observe` sees every step and may end the
-    /// run.
+    /// Steps until the time `stop`, as [`Run::next_stop`] gives it, and writes the rows of a history that has an interval of
+    /// its own. `observe` sees every step and may end the run.
     ///
     /// # Errors
-    /// The first step that fails. The files keep the last good frame and checkpoint.
+    /// The first step that fails, or a row that cannot be written. The files keep the last good frame and checkpoint.
     pub fn advance(
         &mut self,
         stop: f64,
         mut observe: impl FnMut(&StepInfo) -> RunControl + Send,
-    ) -> Result<(), StepError> {
-        let slack = match self.simulation.scene().time_step {
-            TimeStep::Fixed { dt, .. } => 0.5 * dt,
-            _ => 0.0,
-        };
-        let team = self.simulation.team();
-        team.lead(|| {
-            while self.simulation.time() + slack < stop {
-                match self.simulation.step(stop) {
-                    Ok(info) => {
-                        if observe(&info) == RunControl::Stop {
-                            self.interrupted = true;
-                            return Ok(());
-                        }
-                        if info.step % STEPS_PER_LOOK == 0 && self.is_balanced() {
-                            self.balanced = true;
-                            return Ok(());
-                        }
-                    }
-                    Err(error) => {
-                        self.failure = Some(error.clone());
-                        return Err(error);
-                    }
-                }
+    ) -> Result<(), RunError> {
+        while self.step_until(stop, &mut observe)? {
+            if let Some(files) = &mut self.files {
+                files.write_due_row(&mut self.simulation)?;
             }
-            Ok(())
-        })
+        }
+        Ok(())
     }
 
-    /// Whether forces are in balance, where the scene ends by that.
-    fn is_balanced(&mut self) -> bool {
-        let until = self.simulation.scene().until;
-        until.is_some_and(|until| {
-            let share = self.simulation.unbalanced_share();
-            share.is_some_and(|share| share < until)
-        })
+    /// Steps until the time `stop`, or until a state is to have a row in the history: then true.
+    fn step_until(
+        &mut self,
+        stop: f64,
+        observe: &mut (impl FnMut(&StepInfo) -> RunControl + Send),
+    ) -> Result<bool, StepError> {
+        let slack = forecast::slack(self.simulation.scene());
+        let files = self.files.as_ref();
+        let (simulation, interrupted) = (&mut self.simulation, &mut self.interrupted);
+        let balanced = &mut self.balanced;
+        let team = simulation.team();
+        let result = team.lead(|| {
+            while simulation.time() + slack < stop {
+                let info = simulation.step(stop)?;
+                if observe(&info) == RunControl::Stop {
+                    *interrupted = true;
+                    return Ok(false);
+                }
+                if info.step % STEPS_PER_LOOK == 0 && is_balanced(simulation) {
+                    *balanced = true;
+                    return Ok(false);
+                }
+                if files.is_some_and(|files| files.is_row_due(simulation)) {
+                    return Ok(true);
+                }
+            }
+            Ok(false)
+        });
+        if let Err(error) = &result {
+            self.failure = Some(StepError::clone(error));
+        }
+        result
     }
 
     /// Writes frame, history row and checkpoint of the present state, where the run has files and the scene asks
@@ -234,6 +227,14 @@ impl Run {
         Summary {
             scene: simulation.scene().name.clone(),
             plan: plan_value(simulation.plan()),
+            mesh: Some(SummaryMesh {
+                origin: simulation.origin()[..axes].to_vec(),
+                cell: simulation.scene().mesh.cell[..axes].to_vec(),
+                cells: simulation.scene().mesh.cells[..axes]
+                    .iter()
+                    .map(|&n| n as u64)
+                    .collect(),
+            }),
             particles: simulation.particles() as u64,
             nodes_active: simulation.nodes_with_mass() as u64,
             steps: simulation.steps(),
@@ -293,6 +294,15 @@ impl Run {
     pub fn folder(&self) -> Option<&OutputFolder> {
         self.files.as_ref().map(Files::folder)
     }
+}
+
+/// Whether forces are in balance, where the scene ends by that.
+fn is_balanced(simulation: &mut Simulation) -> bool {
+    let until = simulation.scene().until;
+    until.is_some_and(|until| {
+        let share = simulation.unbalanced_share();
+        share.is_some_and(|share| share < until)
+    })
 }
 
 /// The plan as JSON: what is kept, what is left out, why, and the bytes.

@@ -16,12 +16,7 @@ pub(super) fn fingerprint(scene: &Scene) -> u64 {
         name: String::new(),
         time: 0.0,
         until: None,
-        results: Results {
-            print: 0,
-            fields: vec![],
-            nodal_fields: vec![],
-            checkpoint: false,
-        },
+        results: Results::NONE,
         probes: vec![],
         threads: None,
         ..scene.clone()

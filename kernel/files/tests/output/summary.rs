@@ -3,7 +3,8 @@
 use std::fs;
 
 use proctor_files::output::summary::{
-    Status, Summary, SummaryDrift, SummaryEnergy, SummaryEvent, Warning, YieldingBody, finite,
+    Status, Summary, SummaryDrift, SummaryEnergy, SummaryEvent, SummaryMesh, Warning, YieldingBody,
+    finite,
 };
 use proctor_files::output::{OutputError, atomic};
 use serde_json::{Value, json};
@@ -12,6 +13,11 @@ fn complete() -> Summary {
     Summary {
         scene: "boussinesq".to_owned(),
         plan: json!({"kept": ["gravity"], "bytes": 120}),
+        mesh: Some(SummaryMesh {
+            origin: vec![0.0; 3],
+            cell: vec![0.5; 3],
+            cells: vec![4; 3],
+        }),
         particles: 8,
         nodes_active: 27,
         steps: 10,
@@ -73,9 +79,10 @@ fn complete() -> Summary {
     }
 }
 
-const KEYS: [&str; 25] = [
+const KEYS: [&str; 26] = [
     "scene",
     "plan",
+    "mesh",
     "particles",
     "nodes_active",
     "steps",

@@ -153,10 +153,7 @@ fn frames_and_history_hold_what_the_particles_hold() {
     for mut scene in [ball, shaken()] {
         scene.results.print = 2;
         scene.results.fields = Field::ALL.to_vec();
-        scene.probes = vec![Probe {
-            name: "probe".into(),
-            position: [4.4, 1.0, 0.0],
-        }];
+        scene.probes = vec![Probe::at("probe", [4.4, 1.0, 0.0])];
         let folder = tempfile::tempdir().unwrap();
         let mut run = Run::start(&scene, &Options::default(), Some(folder.path()), None).unwrap();
         go(&mut run, usize::MAX, |_, _| ());

@@ -393,6 +393,26 @@ pub(crate) const CASES: &[(&str, &str, &str)] = &[
         r#""time": 1.0, "probes": [{"name": "top", "point": [1, 1, 2]}, {"name": "above", "point": [1, -0.1, 2.5]}]"#,
     ),
     (
+        "probes that contradict themselves",
+        r#""time": 1.0"#,
+        r#""time": 1.0, "probes": [
+        {"name": "a", "point": [0, 0, 0], "body": 1}, {"name": "b"}, {"name": "c", "point": [0, 0, 0], "count": 3},
+        {"name": "d", "point": [0, 0, 0], "largest": "pressure"}, {"name": "e", "body": 7},
+        {"name": "f", "body": 1, "largest": "strain"}, {"name": "g", "body": 1, "largest": "plastic_strain"},
+        {"name": "h", "line": [[0, 0, 0]]}, {"name": "i", "line": [[0, 0, 0], [1, 1]]},
+        {"name": "k", "line": [[0, 0, 0], [1, 1, 3]], "count": 1}, {"name": "k_1", "point": [0, 0, 0]}]"#,
+    ),
+    (
+        "interval of the history",
+        r#""time": 1.0"#,
+        r#""time": 1.0, "results": {"history_interval": 0}"#,
+    ),
+    (
+        "interval of the history beyond the end",
+        r#""time": 1.0"#,
+        r#""time": 1.0, "results": {"history_interval": 2}"#,
+    ),
+    (
         "rate of a neo-Hookean material",
         r#""elastic""#,
         r#""neo_hookean", "objective_rate": "jaumann""#,

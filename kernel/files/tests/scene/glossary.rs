@@ -132,6 +132,8 @@ fn bases() -> Vec<Value> {
                 "held_box": [{"point_p1": corner(axes, 0.0), "point_p2": upper(0.0)}],
                 "probes": [{"name": "a", "point": corner(axes, 1.0)}],
             })),
+            with(axes, &none, &json!({"probes": [{"name": "a", "line": [corner(axes, 0.0), corner(axes, 1.0)]}]})),
+            with(axes, &none, &json!({"probes": [{"name": "a", "body": 1}]})),
             two(axes, &json!({
                 "contact": [{"friction": 0.2, "master_id": 1, "slave_id": 2}], "contact_manager": {},
             })),

@@ -6,7 +6,8 @@ use proctor_files::json::{from_json, schema};
 use proctor_laws::{LinearElastic, NeoHookean, ObjectiveRate};
 use proctor_scene::{
     ContactNormal, Damping, Dimension, DomainUpdate, Field, Motion, NodalField, Outside,
-    PlaneCondition, Scene, Shape, StressScheme, TimeStep, Transfer, TransferKind, Weighting,
+    PlaneCondition, ProbeTarget, ProbedQuantity, Scene, Shape, StressScheme, TimeStep, Transfer,
+    TransferKind, Weighting,
 };
 
 fn parse(text: &str) -> Scene {
@@ -138,6 +139,30 @@ fn time_steps_and_damping() {
     ] {
         assert_eq!(with(&format!(r#""damping": {text},"#)).damping, damping);
     }
+}
+
+#[test]
+fn probes_follow_points_lines_and_bodies() {
+    let scene = with(
+        r#""results": {"history_interval": 0.005, "print": 0}, "probes": [
+        {"name": "top", "point": [0.5, 0.5, 1]},
+        {"name": "axis", "line": [[0, 0, 0], [0, 0, 1]]}, {"name": "edge", "line": [[0, 0, 0], [1, 0, 0]], "count": 3},
+        {"name": "block", "body": 9}, {"name": "worst", "body": 9, "largest": "mises_stress"}],"#,
+    );
+    assert_eq!(scene.results.history_interval, Some(0.005));
+    let axis = &scene.probes[1];
+    assert_eq!(axis.points().len(), 11);
+    assert_eq!(axis.points()[10], ("axis_11".to_owned(), [0.0, 0.0, 1.0]));
+    let edge: Vec<f64> = scene.probes[2].points().iter().map(|(_, x)| x[0]).collect();
+    assert_eq!(edge, [0.0, 0.5, 1.0]);
+    assert_eq!(scene.probes[3].target, ProbeTarget::Body(9));
+    assert_eq!(
+        scene.probes[4].target,
+        ProbeTarget::Largest {
+            body: 9,
+            quantity: ProbedQuantity::MisesStress
+        }
+    );
 }
 
 #[test]

@@ -154,6 +154,16 @@ pub(super) fn describe(plan: &Plan, scene: &Scene, demands: PlanOptions) -> Vec<
         ),
         "print is zero",
     );
+    if let Some(interval) = scene.results.history_interval {
+        list.keep(
+            "output",
+            "history of its own interval",
+            &format!(
+                "a row for every {} s, of the nearest step",
+                Number(interval)
+            ),
+        );
+    }
     list.0
 }
 

@@ -41,7 +41,7 @@ pub fn plan(scene: &Scene, demands: PlanOptions) -> Plan {
     let written = |field: Field| scene.results.print > 0 && scene.results.fields.contains(&field);
     let displacement = demands.displacement
         || written(Field::Displacement)
-        || (scene.results.print > 0 && !scene.probes.is_empty());
+        || (scene.results.writes_history() && !scene.probes.is_empty());
     let layouts = scene
         .bodies
         .iter()

@@ -21,7 +21,7 @@ pub use error::{Location, Problem, SceneError};
 pub use initial_stress::InitialStress;
 pub use material::Material;
 pub use mortar::MOST_CREEP;
-pub use results::{Field, NodalField, Probe, Results};
+pub use results::{Field, NodalField, Probe, ProbeTarget, ProbedQuantity, Results};
 pub use state_file::StateFile;
 
 use proctor_contact::{Contact, ContactValues, Mortar, PlannedBody, RigidSurface};

@@ -8,12 +8,7 @@ use proctor_scene::{
 use std::sync::Arc;
 
 /// Nothing is written: a case reads the simulation itself.
-pub const NO_RESULTS: Results = Results {
-    print: 0,
-    fields: Vec::new(),
-    nodal_fields: Vec::new(),
-    checkpoint: false,
-};
+pub const NO_RESULTS: Results = Results::NONE;
 
 /// A body at rest and without stress.
 pub const AT_REST: InitialState = InitialState {

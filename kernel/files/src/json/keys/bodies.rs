@@ -241,16 +241,43 @@ pub(in crate::json) struct RawHeldBox {
     pub comment: Option<Comment>,
 }
 
-/// A particle whose history is written.
+/// Columns of `history.csv` that follow a particle, particles along a line, or a body.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, expecting = "an object with `name` and `point`")]
+#[serde(
+    deny_unknown_fields,
+    expecting = "an object with `name` and one of `point`, `line` and `body`"
+)]
 pub(in crate::json) struct RawProbe {
     /// Prefix of the columns in `history.csv`: letters, digits, `_`, `-` and `.`.
     #[schemars(extend("x-needed" = true, "examples" = ["top"]))]
     pub name: Option<String>,
     /// The particle nearest to this position at the start is followed.
-    #[schemars(extend("x-unit" = "m", "x-needed" = true, "examples" = [[0.5, 1], [0.5, 0.5, 1]]))]
+    #[schemars(extend(
+        "x-unit" = "m", "x-default" = "needed where there is neither `line` nor `body`",
+        "examples" = [[0.5, 1], [0.5, 0.5, 1]]
+    ))]
     pub point: Option<Vec<f64>>,
+    /// Two ends of a line: the particles nearest to evenly spaced points of it at the start are followed. Their columns have
+    /// the name of the probe and a number from 1.
+    #[schemars(extend(
+        "x-unit" = "m", "x-default" = "needed where there is neither `point` nor `body`",
+        "examples" = [[[0.5, 0], [0.5, 1]], [[0.5, 0.5, 0], [0.5, 0.5, 1]]]
+    ))]
+    pub line: Option<Vec<Vec<f64>>>,
+    /// Number of points of the line, its ends included.
+    #[schemars(extend(
+        "x-needs" = "`line`", "default" = 11, "minimum" = 2, "maximum" = 1000, "examples" = [5]
+    ))]
+    pub count: Option<usize>,
+    /// Identifier of a body: means over its particles, or the particle with the largest value.
+    #[schemars(extend("x-default" = "needed where there is neither `point` nor `line`", "examples" = [1]))]
+    pub body: Option<i64>,
+    /// The value whose largest one over the body is written, with its particle and where that is.
+    #[schemars(extend(
+        "enum" = ["displacement", "velocity", "mises_stress", "pressure", "plastic_strain"], "x-needs" = "`body`",
+        "x-default" = "means of displacement, velocity and stress", "examples" = ["displacement"]
+    ))]
+    pub largest: Option<String>,
     /// Words for people, in every object: one text or a list of them. Nothing reads them.
     #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
     #[expect(dead_code, reason = "words for people")]

@@ -215,7 +215,7 @@ pub(super) struct RawScene {
     /// stops.
     #[schemars(extend("enum" = ["tell", "stop"], "default" = "tell", "examples" = ["stop"]))]
     pub on_imbalance: Option<String>,
-    /// Particles whose history is written.
+    /// Columns of the history that follow particles or bodies.
     #[schemars(extend(
         "x-default" = "none", "examples" = [[{"name": "top", "point": [0.5, 0.5, 1]}]]
     ))]
@@ -312,10 +312,16 @@ pub(super) struct RawInitialState {
 #[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, expecting = "an object with `print` and `fields`")]
 pub(super) struct RawResults {
-    /// Number of frames after the first one, one every `time`/`print` seconds; 0 writes the summary alone. The default is
-    /// that of the manuals' program.
+    /// Number of frames after the first one, one every `time`/`print` seconds; 0 writes none. The default is that of the
+    /// manuals' program.
     #[schemars(extend("default" = 10, "minimum" = 0, "maximum" = 999_999, "examples" = [40]))]
     pub print: Option<usize>,
+    /// Interval of the rows of `history.csv`. A row holds the state of the step nearest to a multiple of it; no step is cut
+    /// for it.
+    #[schemars(extend(
+        "x-unit" = "s", "x-default" = "a row with each frame", "exclusiveMinimum" = 0, "examples" = [0.005]
+    ))]
+    pub history_interval: Option<f64>,
     /// Particle fields in the frames, `all` or `none`. The default is that of the manuals' program.
     #[schemars(extend(
         "default" = ["id", "displacement"], "examples" = [["id", "velocity", "stress"]],

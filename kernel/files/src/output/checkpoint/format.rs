@@ -35,18 +35,23 @@ const MAGIC: [u8; 8] = *b"\x89PRC\r\n\x1a\n";
 const HEADER: usize = 32;
 const CHECKSUM: usize = 4;
 
+/// Length of the file of `checkpoint` in bytes.
+pub(super) fn length(checkpoint: &Checkpoint) -> u64 {
+    let body: usize = checkpoint.sections.iter().map(stored_size).sum();
+    (HEADER + body + CHECKSUM) as u64
+}
+
 /// Writes the bytes of `checkpoint`.
 pub(super) fn write(checkpoint: &Checkpoint, file: &mut dyn Write) -> io::Result<()> {
     let mut file = ChecksumWriter {
         file,
         crc: Crc::new(),
     };
-    let body: usize = checkpoint.sections.iter().map(stored_size).sum();
     file.write_all(&MAGIC)?;
     file.write_all(&VERSION.to_le_bytes())?;
     file.write_all(&length_u32(checkpoint.sections.len())?.to_le_bytes())?;
     file.write_all(&checkpoint.fingerprint.to_le_bytes())?;
-    file.write_all(&((HEADER + body + CHECKSUM) as u64).to_le_bytes())?;
+    file.write_all(&length(checkpoint).to_le_bytes())?;
     for Section { name, data } in &checkpoint.sections {
         file.write_all(&[type_code(data)])?;
         file.write_all(&length_u32(name.len())?.to_le_bytes())?;

@@ -112,6 +112,12 @@ impl Checkpoint {
         }
     }
 
+    /// Length of its file in bytes.
+    #[must_use]
+    pub fn bytes(&self) -> u64 {
+        format::length(self)
+    }
+
     /// Writes the checkpoint to `path`, atomically: a run killed meanwhile leaves the earlier one.
     ///
     /// # Errors

@@ -108,6 +108,29 @@ pub fn write(path: &Path, frame: &Frame, compression: Compression) -> Result<(),
     atomic::write(path, |file| fill(file, frame, compression))
 }
 
+/// Length in bytes of the file of `frame` without compression.
+#[must_use]
+pub fn bytes(frame: &Frame) -> u64 {
+    let mut counter = ByteCounter(0);
+    // Counting does not fail.
+    let _ = fill(&mut counter, frame, Compression::None);
+    counter.0
+}
+
+/// Counts what is written and keeps none of it.
+struct ByteCounter(u64);
+
+impl Write for ByteCounter {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.0 += bytes.len() as u64;
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
 fn check(path: &Path, frame: &Frame) -> Result<(), OutputError> {
     if !frame.time.is_finite() {
         return Err(OutputError::Time {

@@ -8,11 +8,12 @@ mod contact;
 mod history;
 mod load;
 mod mortar;
+mod results;
 mod revolution;
 mod surface;
 
 use self::collector::Collector;
-use crate::values::{Results, Scene, SceneError};
+use crate::values::{Scene, SceneError};
 use proctor_geometry::number::Number;
 use proctor_kernel::laws::{Accepted, ConstantDefault};
 use proctor_kernel::layout::Variable;
@@ -42,7 +43,7 @@ impl Scene {
         mortar::check(self, &mut problems);
         surface::check(self, &mut problems);
         revolution::check(self, &mut problems);
-        self.check_results(&mut problems);
+        results::check(self, &mut problems);
         SceneError::unless_empty(problems.found)
     }
 
@@ -223,44 +224,6 @@ impl Scene {
                         material.id, self.materials[first].name
                     ),
                     "an id that no other material has",
-                );
-            }
-        }
-    }
-
-    fn check_results(&self, problems: &mut Collector) {
-        if self.results.print > Results::MOST {
-            problems.add(
-                "results.print",
-                self.results.print.to_string(),
-                format!("a whole number, at most {}", Results::MOST),
-            );
-        }
-        for (i, probe) in self.probes.iter().enumerate() {
-            let path = format!("probes[{i}]");
-            problems.vector(format!("{path}.point"), &probe.position);
-            for axis in 0..self.dimension.axes() {
-                let at = format!("{path}.point[{axis}]");
-                body::outside(&self.mesh, axis, probe.position[axis], &at, problems);
-            }
-            // The name becomes the prefix of columns in history.csv.
-            if probe.name.is_empty()
-                || !probe
-                    .name
-                    .chars()
-                    .all(|c| c.is_alphanumeric() || "_-.".contains(c))
-            {
-                problems.add(
-                    format!("{path}.name"),
-                    format!("{:?}", probe.name),
-                    "letters, digits, `_`, `-` and `.`, at least one",
-                );
-            }
-            if let Some(first) = self.probes[..i].iter().position(|p| p.name == probe.name) {
-                problems.add(
-                    format!("{path}.name"),
-                    format!("{:?}, the name of probes[{first}] too", probe.name),
-                    "a name that no other probe has",
                 );
             }
         }

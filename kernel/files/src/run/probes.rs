@@ -1,0 +1,211 @@
+//! The columns of probes, and their values of one state.
+
+use super::history::STRESS;
+use proctor_kernel::layout::Layout;
+use proctor_kernel::particles::ParticleSet;
+use proctor_scene::simulation::Simulation;
+use proctor_scene::{ProbeTarget, ProbedQuantity, Vector};
+
+/// A probe with what it follows in a simulation.
+pub(super) struct FollowedProbe {
+    name: String,
+    set: usize,
+    target: FollowedTarget,
+}
+
+/// What a probe follows.
+enum FollowedTarget {
+    /// The particle with this identifier.
+    Particle(u64),
+    /// Means over the body.
+    Body,
+    /// The particle of the body with the largest value.
+    Largest(ProbedQuantity),
+}
+
+impl FollowedProbe {
+    /// The probes of a scene; those of points follow the particle that is nearest at the start.
+    pub(super) fn all(simulation: &Simulation) -> Vec<Self> {
+        let mut all = vec![];
+        for probe in &simulation.scene().probes {
+            for (name, position) in probe.points() {
+                if let Some((set, id)) = nearest(simulation, &position) {
+                    let target = FollowedTarget::Particle(id);
+                    all.push(Self { name, set, target });
+                }
+            }
+            let (body, target) = match probe.target {
+                ProbeTarget::Body(body) => (body, FollowedTarget::Body),
+                ProbeTarget::Largest { body, quantity } => {
+                    (body, FollowedTarget::Largest(quantity))
+                }
+                ProbeTarget::Point(_) | ProbeTarget::Line { .. } => continue,
+            };
+            let mut sets = 0..simulation.sets().len();
+            if let Some(set) = sets.find(|set| simulation.body(*set).id == body) {
+                let name = probe.name.clone();
+                all.push(Self { name, set, target });
+            }
+        }
+        all
+    }
+
+    /// Names of its columns.
+    pub(super) fn columns(&self, simulation: &Simulation) -> Vec<String> {
+        let letters = &["x", "y", "z"][..simulation.plan().axes];
+        let name = &self.name;
+        if let FollowedTarget::Largest(quantity) = self.target {
+            let value = format!("{name}_{}", quantity.word());
+            let place = letters.iter().map(|l| format!("{name}_{l}"));
+            return [value, format!("{name}_particle")]
+                .into_iter()
+                .chain(place)
+                .collect();
+        }
+        let mut names: Vec<String> = letters.iter().map(|l| format!("{name}_u{l}")).collect();
+        names.extend(letters.iter().map(|l| format!("{name}_v{l}")));
+        names.extend(STRESS.map(|s| format!("{name}_s{}", s.to_lowercase())));
+        if let FollowedTarget::Particle(_) = self.target {
+            let layout = simulation.sets()[self.set].layout;
+            names.extend(layout.components().map(|(variable, i, _)| {
+                format!("{name}_{}", variable.component(i).replace(' ', "_"))
+            }));
+        }
+        names
+    }
+
+    /// Values of its columns; not a number where the particle was removed or the body has none left.
+    pub(super) fn values(&self, simulation: &Simulation) -> Vec<f64> {
+        let axes = simulation.plan().axes;
+        let set = &simulation.sets()[self.set];
+        let found = match self.target {
+            FollowedTarget::Particle(id) => self.particle(simulation, id),
+            FollowedTarget::Body => self.means(simulation),
+            FollowedTarget::Largest(quantity) => self.largest(simulation, quantity),
+        };
+        found.unwrap_or_else(|| {
+            let cells = match self.target {
+                FollowedTarget::Particle(_) => {
+                    2 * axes + STRESS.len() + set.layout.components().count()
+                }
+                FollowedTarget::Body => 2 * axes + STRESS.len(),
+                FollowedTarget::Largest(_) => 2 + axes,
+            };
+            vec![f64::NAN; cells]
+        })
+    }
+
+    fn particle(&self, simulation: &Simulation, id: u64) -> Option<Vec<f64>> {
+        let axes = simulation.plan().axes;
+        let set = &simulation.sets()[self.set];
+        let p = set.id.iter().position(|own| *own == id)?;
+        let u = simulation.displacement(self.set, p);
+        let mut row = u.unwrap_or([f64::NAN; 3])[..axes].to_vec();
+        row.extend_from_slice(&set.velocity(p)[..axes]);
+        row.extend_from_slice(&set.stress(p));
+        row.extend(set.variables(p));
+        Some(row)
+    }
+
+    /// Means over the body: displacement and velocity by mass, stress by volume. Summed in the order of the identifiers, so
+    /// that they do not depend on how particles are stored.
+    fn means(&self, simulation: &Simulation) -> Option<Vec<f64>> {
+        let axes = simulation.plan().axes;
+        let set = &simulation.sets()[self.set];
+        let (mut mass, mut volume) = (0.0, 0.0);
+        let (mut u, mut v, mut stress) = ([0.0; 3], [0.0; 3], [0.0; 6]);
+        for p in by_identifier(set) {
+            let m = set.columns[Layout::MASS][p];
+            let own = simulation.particle_volume(self.set, p);
+            let (u_p, v_p) = (simulation.displacement(self.set, p)?, set.velocity(p));
+            mass += m;
+            volume += own;
+            for axis in 0..3 {
+                u[axis] += m * u_p[axis];
+                v[axis] += m * v_p[axis];
+            }
+            for (sum, of_particle) in stress.iter_mut().zip(set.stress(p)) {
+                *sum += own * of_particle;
+            }
+        }
+        (mass > 0.0).then(|| {
+            let mut row: Vec<f64> = u[..axes].iter().map(|c| c / mass).collect();
+            row.extend(v[..axes].iter().map(|c| c / mass));
+            row.extend(stress.map(|c| c / volume));
+            row
+        })
+    }
+
+    /// The largest value, the identifier of its particle, and where that is. Of equal ones the smallest identifier.
+    fn largest(&self, simulation: &Simulation, quantity: ProbedQuantity) -> Option<Vec<f64>> {
+        let set = &simulation.sets()[self.set];
+        let column = match quantity {
+            ProbedQuantity::PlasticStrain => Some(set.column(ProbedQuantity::PLASTIC_STRAIN)?),
+            _ => None,
+        };
+        let value = |p: usize| match quantity {
+            ProbedQuantity::Displacement => {
+                let u = simulation.displacement(self.set, p);
+                length(u.unwrap_or([f64::NAN; 3]))
+            }
+            ProbedQuantity::Velocity => length(set.velocity(p)),
+            ProbedQuantity::MisesStress => mises(set.stress(p)),
+            ProbedQuantity::Pressure => {
+                let [xx, yy, zz, ..] = set.stress(p);
+                -(xx + yy + zz) / 3.0
+            }
+            ProbedQuantity::PlasticStrain => column.map_or(f64::NAN, |column| column[p]),
+        };
+        let mut best: Option<(f64, usize)> = None;
+        for p in 0..set.len() {
+            let own = value(p);
+            let is_larger =
+                best.is_none_or(|(most, q)| own > most || (own == most && set.id[p] < set.id[q]));
+            if own.is_finite() && is_larger {
+                best = Some((own, p));
+            }
+        }
+        let (most, p) = best?;
+        let mut row = vec![most, set.id[p] as f64];
+        row.extend_from_slice(&simulation.position(self.set, p)[..simulation.plan().axes]);
+        Some(row)
+    }
+}
+
+/// Places of the particles of a set in the order of their identifiers.
+pub(super) fn by_identifier(set: &ParticleSet) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..set.len()).collect();
+    order.sort_unstable_by_key(|&p| set.id[p]);
+    order
+}
+
+fn length(v: Vector) -> f64 {
+    v.iter().map(|c| c * c).sum::<f64>().sqrt()
+}
+
+/// Equivalent stress of von Mises, of components in the order of the particles.
+fn mises([xx, yy, zz, yz, xz, xy]: [f64; 6]) -> f64 {
+    let normal = (xx - yy).powi(2) + (yy - zz).powi(2) + (zz - xx).powi(2);
+    let shear = yz * yz + xz * xz + xy * xy;
+    (0.5 * normal + 3.0 * shear).sqrt()
+}
+
+/// Set and identifier of the particle that is nearest to a position at the start.
+fn nearest(simulation: &Simulation, position: &Vector) -> Option<(usize, u64)> {
+    let mut best: Option<(f64, u64, usize)> = None;
+    for (s, set) in simulation.sets().iter().enumerate() {
+        for p in 0..set.len() {
+            let x = simulation
+                .initial_position(s, p)
+                .unwrap_or_else(|| simulation.position(s, p));
+            let square: f64 = (0..simulation.plan().axes)
+                .map(|axis| (x[axis] - position[axis]).powi(2))
+                .sum();
+            // Of equally near particles the one with the smallest identifier, whatever their order.
+            if best.is_none_or(|(d, id, _)| (square, set.id[p]) < (d, id)) {
+                best = Some((square, set.id[p], s));
+            }
+        }
+    }
+    best.map(|(_, id, set)| (set, id))
+}
