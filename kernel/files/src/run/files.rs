@@ -1,7 +1,7 @@
 //! The state of a simulation as frames, history rows and checkpoints.
 
-use super::history::{HistoryRows, STRESS};
-use super::probes::by_identifier;
+use super::history::HistoryRows;
+use super::probes::{STRESS, by_identifier};
 use super::schedule::{HistorySchedule, NOMINAL_TIME};
 use super::{RunError, boundaries, grid, state};
 use crate::output::checkpoint::CHECKPOINT;

@@ -1,4 +1,4 @@
-//! What a run will take: its steps and the states that it writes, and the bytes of its files.
+//! Forecast of a run: its steps, the states that it writes, and the bytes of its files.
 
 use super::history::HistoryRows;
 use super::schedule::{self, NOMINAL_TIME};

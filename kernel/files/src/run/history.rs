@@ -3,9 +3,6 @@
 use super::probes::FollowedProbe;
 use proctor_scene::simulation::{Energy, Simulation};
 
-/// Components of the stress, in the order of the particles.
-pub(super) const STRESS: [&str; 6] = ["XX", "YY", "ZZ", "YZ", "XZ", "XY"];
-
 /// Rows of the history of a simulation.
 pub struct HistoryRows {
     probes: Vec<FollowedProbe>,

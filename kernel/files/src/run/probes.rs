@@ -1,19 +1,21 @@
 //! The columns of probes, and their values of one state.
 
-use super::history::STRESS;
 use proctor_kernel::layout::Layout;
 use proctor_kernel::particles::ParticleSet;
 use proctor_scene::simulation::Simulation;
 use proctor_scene::{ProbeTarget, ProbedQuantity, Vector};
 
-/// A probe with what it follows in a simulation.
+/// Components of the stress, in the order of the particles.
+pub(super) const STRESS: [&str; 6] = ["XX", "YY", "ZZ", "YZ", "XZ", "XY"];
+
+/// A probe with the particles that it follows in a simulation.
 pub(super) struct FollowedProbe {
     name: String,
     set: usize,
     target: FollowedTarget,
 }
 
-/// What a probe follows.
+/// The particles that a probe follows.
 enum FollowedTarget {
     /// The particle with this identifier.
     Particle(u64),

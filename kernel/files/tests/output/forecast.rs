@@ -1,4 +1,4 @@
-//! What a run is said to take, held against what it takes.
+//! The forecast of a run, held against the run.
 
 use std::fs;
 use std::path::Path;
