@@ -33,4 +33,4 @@ pub mod stage;
 #[doc(hidden)]
 pub mod weights;
 
-pub use proctor_geometry::{bodies, memory, number, shape, solid, team};
+pub use proctor_geometry::{bodies, enclosed, memory, number, shape, sheet, solid, stratum, team};

@@ -3,11 +3,12 @@
 //! ```text
 //! scene.json ──► json ──► Scene ──► Simulation ──► run ──► output ──► particles.pvd, history.csv,
 //! record.csv ──► records ──┘  │                     │                 summary.json, checkpoint.bin
-//! surface.stl ─► stl ─────────┘                     └──► Saved ◄──► checkpoint
+//! surface.stl ─► stl ─────────┤                     └──► Saved ◄──► checkpoint
+//! terrain.asc ─► terrain ─────┘
 //! ```
 //!
 //! [`json`] reads a scene with a place in the text for every problem, [`records`] accelerograms and particle lists, [`stl`]
-//! surfaces, all of them through [`reading`], which refuses what does not fit into memory. [`output`] knows the formats
+//! surfaces, [`terrain`] surfaces of ground, all of them through [`reading`], which refuses what does not fit into memory. [`output`] knows the formats
 //! and nothing of simulations; [`run`] drives a simulation from output time to output time and hands its state over.
 //!
 //! The kernel knows nothing of this package. What a checkpoint holds it gives as one plain value,
@@ -40,3 +41,4 @@ pub mod reading;
 pub mod records;
 pub mod run;
 pub mod stl;
+pub mod terrain;

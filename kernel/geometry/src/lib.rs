@@ -7,10 +7,13 @@
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
 pub mod bodies;
+pub mod enclosed;
 pub mod memory;
 pub mod mesh;
 pub mod number;
 pub mod polygon;
 pub mod shape;
+pub mod sheet;
 pub mod solid;
+pub mod stratum;
 pub mod team;

@@ -1,5 +1,7 @@
 //! Shapes of bodies, and the space that they are in.
 
+use crate::enclosed::Enclosed;
+use crate::stratum::Stratum;
 use std::sync::Arc;
 
 /// A vector in SI units, in axis order x, y, z. In two dimensions the third component is zero.
@@ -74,11 +76,24 @@ pub enum Shape {
         /// Lower and upper coordinate along the axis.
         range: [f64; 2],
     },
+    /// Ground between sheets, such as a terrain and the base of a layer.
+    Stratum(Arc<Stratum>),
+    /// The inside of a closed surface of triangles (3D).
+    Enclosed(Arc<Enclosed>),
     /// Particles given one by one.
     Particles(Arc<Vec<ParticleSeed>>),
 }
 
 impl Shape {
+    /// True if the nearest point of its surface can be found: see [`Shape::nearest`].
+    #[must_use]
+    pub fn has_surface(&self) -> bool {
+        !matches!(
+            self,
+            Self::Stratum(_) | Self::Enclosed(_) | Self::Particles(_)
+        )
+    }
+
     /// Radius of a shape that can roll: a sphere, disc, ring or cylinder \[m\].
     #[must_use]
     pub fn radius(&self) -> Option<f64> {
@@ -111,6 +126,8 @@ impl Shape {
                 let across = of(&mut flat.into_iter(), 2);
                 across.min(0.5 * (range[1] - range[0]).abs())
             }
+            Self::Stratum(stratum) => of(&mut stratum.bounds().into_iter(), axes),
+            Self::Enclosed(body) => of(&mut body.bounds().into_iter(), axes),
             Self::Particles(seeds) => of(&mut seeds.iter().map(|seed| seed.position), axes),
             Self::Sphere { radius, .. } | Self::Cylinder { radius, .. } => *radius,
             Self::Ring { outer, .. } => *outer,
@@ -164,6 +181,8 @@ impl Shape {
                 };
                 box_around(corner(range[0]).chain(corner(range[1])))?
             }
+            Self::Stratum(stratum) => stratum.bounds(),
+            Self::Enclosed(body) => body.bounds(),
             Self::Particles(seeds) => box_around(seeds.iter().map(|seed| seed.position))?,
         })
     }
@@ -228,6 +247,8 @@ impl Shape {
                     range: range.map(|x| x - origin[*axis]),
                 }
             }
+            Self::Stratum(stratum) => Self::Stratum(Arc::new(stratum.relative_to(origin))),
+            Self::Enclosed(body) => Self::Enclosed(Arc::new(body.relative_to(origin))),
             Self::Particles(seeds) => {
                 let seed = |seed: &ParticleSeed| ParticleSeed {
                     position: moved(&seed.position),
@@ -250,6 +271,8 @@ impl Shape {
             (Self::Cylinder { .. }, _) => "cylinder",
             (Self::Polygon { .. }, _) => "polygon",
             (Self::ExtrudedPolygon { .. }, _) => "extruded_polygon",
+            (Self::Stratum(_), _) => "between",
+            (Self::Enclosed(_), _) => "solid",
             (Self::Particles(_), _) => "particles",
         }
     }

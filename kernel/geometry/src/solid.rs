@@ -16,7 +16,7 @@ pub struct ClosestPoint {
 
 impl Shape {
     /// The point of the surface of the shape that is nearest to `x`, both in the same coordinates \[m\]; `None` for a list
-    /// of particles, which has no surface.
+    /// of particles, which has no surface, and for a stratum or an enclosed body, whose surface is not searched.
     #[must_use]
     pub fn nearest(&self, dimension: Dimension, x: &Vector) -> Option<ClosestPoint> {
         let (distance, normal) = match self {
@@ -68,7 +68,7 @@ impl Shape {
                 (outward[i], outward[j], along[*axis]) = (u, v, 1.0);
                 prism((distance, outward), slab(x[*axis], *range, &along))
             }
-            Self::Particles(_) => return None,
+            Self::Stratum(_) | Self::Enclosed(_) | Self::Particles(_) => return None,
         };
         Some(ClosestPoint {
             point: std::array::from_fn(|k| x[k] - distance * normal[k]),

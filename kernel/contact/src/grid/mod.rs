@@ -16,7 +16,7 @@ use crate::values::{Contact, ContactValues, PairValues};
 use contact_nodes::{ContactNodes, ContactResult, DEEP, NodeLists, NodeTunnelling, Overlapped};
 use faces::Faces;
 use proctor_geometry::memory::Memory;
-use proctor_kernel::model::{CycleSettings, Shape, StressScheme, Vector};
+use proctor_kernel::model::{CycleSettings, StressScheme, Vector};
 use proctor_kernel::simulation::{
     BalanceTraits, BodyList, BodyRun, EventKind, Grid, InitialOverlap, Interaction,
     InteractionError, NodalConditions, NodalForce, PairList, SavedArrays, SetupError, SlabPart,
@@ -465,7 +465,7 @@ pub(crate) fn acts_by_shape(
     let driven = pair[0];
     let within = || bonds::ends_within_cells(settings, bodies, pair);
     bodies[driven].keeps_shape
-        && !matches!(bodies[driven].shape, Shape::Particles(_))
+        && bodies[driven].shape.has_surface()
         && match settings.scheme {
             StressScheme::Usl => true,
             StressScheme::Musl => !bonds::stands(bodies, driven) || within(),

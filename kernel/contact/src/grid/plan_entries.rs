@@ -1,7 +1,7 @@
 //! Words of the plan for contact on the grid and for bonds.
 
 use crate::values::{ContactNormal, ContactValues, PlannedBody};
-use proctor_kernel::model::{CycleSettings, History, Shape, StressScheme};
+use proctor_kernel::model::{CycleSettings, History, StressScheme};
 use proctor_kernel::plan::PlanEntries;
 
 /// Entries for each pair, for contact as a whole, and for bonds.
@@ -36,7 +36,7 @@ fn pair_words(
         let with_shape = [contact.master, contact.slave]
             .into_iter()
             .filter_map(driven);
-        let mut with_shape = with_shape.filter(|b| !matches!(b.shape, Shape::Particles(_)));
+        let mut with_shape = with_shape.filter(|b| b.shape.has_surface());
         let how = with_shape.next().map_or_else(
             || format!("{normal}; on the grid, while the boxes of the bodies meet"),
             |b| {
@@ -96,7 +96,7 @@ fn contact_words(values: &ContactValues, list: &mut PlanEntries) {
 fn bond_words(values: &ContactValues, bodies: &[PlannedBody<'_>], list: &mut PlanEntries) {
     let stands = |body: &&PlannedBody<'_>| {
         let still = |motion: &History| motion.values.iter().all(|v| *v == [0.0; 3]);
-        body.motion.is_some_and(still) && !matches!(body.shape, Shape::Particles(_))
+        body.motion.is_some_and(still) && body.shape.has_surface()
     };
     for body in bodies.iter().filter(stands) {
         let touched = |other: &PlannedBody<'_>| {

@@ -5,10 +5,15 @@ use super::keys::{RawBody, RawInitialStress, RawScene};
 use super::lists::{Counts, VectorOrTable};
 use super::materials::entry_path;
 use super::words::listed;
-use proctor_scene::{Body, Dimension, History, InitialStress, Material};
+use proctor_scene::{Body, Dimension, History, InitialStress, Material, Mesh};
 
 impl Build<'_> {
-    pub(super) fn bodies(&mut self, raw: &RawScene, materials: &[Material]) -> Vec<Body> {
+    pub(super) fn bodies(
+        &mut self,
+        raw: &RawScene,
+        mesh: &Mesh,
+        materials: &[Material],
+    ) -> Vec<Body> {
         let mut counts = [2; 3];
         if self.dimension == Dimension::Two {
             counts[2] = 1;
@@ -32,7 +37,7 @@ impl Build<'_> {
             let path = entry_path(key, i, name.as_deref());
             self.spelt(format!("bodies[{i}]"), path.clone());
             let name = name.clone().unwrap_or_else(|| path.clone());
-            bodies.push(self.body(&path, name, i, raw, counts, materials));
+            bodies.push(self.body(&path, name, i, raw, counts, (mesh, materials)));
         }
         bodies
     }
@@ -44,7 +49,7 @@ impl Build<'_> {
         i: usize,
         raw: &RawBody,
         counts: [usize; 3],
-        materials: &[Material],
+        (mesh, materials): (&Mesh, &[Material]),
     ) -> Body {
         let key = |key: &str| format!("{path}.{key}");
         let particles_per_cell = match &raw.particles_per_cell {
@@ -55,7 +60,7 @@ impl Build<'_> {
             name,
             id: self.id(path, raw.id, i),
             material: self.material_index(&key("material_id"), raw.material_id, materials),
-            shape: self.shape(path, raw),
+            shape: self.shape(path, raw, mesh),
             particles_per_cell,
             velocity: self.vector_or_zero(&key("initial_velocity"), raw.initial_velocity.as_ref()),
             motion: raw

@@ -64,7 +64,7 @@ impl<'a> Build<'a> {
         self.results(raw, &mut scene);
         scene.threads = raw.n_threads;
         scene.materials = self.materials(raw);
-        scene.bodies = self.bodies(raw, &scene.materials);
+        scene.bodies = self.bodies(raw, &scene.mesh, &scene.materials);
         if let Some(until) = &raw.until {
             let share = self.number(
                 "until.unbalanced_force",

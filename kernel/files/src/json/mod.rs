@@ -20,6 +20,7 @@ mod parse;
 pub mod position;
 mod probes;
 mod shapes;
+mod sheets;
 mod source;
 mod stages;
 mod surfaces;

@@ -6,7 +6,7 @@ use super::build::Build;
 use super::keys::RawBody;
 use super::words::{AXES, ShapeKind, listed, meaning, shapes};
 use crate::records;
-use proctor_scene::{Dimension, ParticleSeed, Shape, Vector};
+use proctor_scene::{Dimension, Mesh, ParticleSeed, Shape, Vector};
 
 /// Keys that describe a shape of this kind.
 fn keys_of(kind: ShapeKind) -> &'static [&'static str] {
@@ -17,6 +17,8 @@ fn keys_of(kind: ShapeKind) -> &'static [&'static str] {
         ShapeKind::Cylinder => &["point_p1", "point_p2", "radius"],
         ShapeKind::Polygon => &["points"],
         ShapeKind::ExtrudedPolygon => &["points", "axis", "range"],
+        ShapeKind::Between => &["lower", "upper", "plan"],
+        ShapeKind::Solid => &["stl_mesh"],
         ShapeKind::Particles => &["particles", "file"],
     }
 }
@@ -51,6 +53,10 @@ impl Build<'_> {
             ("points", raw.points.is_some()),
             ("axis", raw.axis.is_some()),
             ("range", raw.range.is_some()),
+            ("lower", raw.lower.is_some()),
+            ("upper", raw.upper.is_some()),
+            ("plan", raw.plan.is_some()),
+            ("stl_mesh", raw.stl_mesh.is_some()),
             ("particles", raw.particles.is_some()),
             ("file", raw.file.is_some()),
         ];
@@ -67,7 +73,7 @@ impl Build<'_> {
     }
 
     /// The shape; a stand-in without particles where its type is missing or unknown.
-    pub(super) fn shape(&mut self, path: &str, raw: &RawBody) -> Shape {
+    pub(super) fn shape(&mut self, path: &str, raw: &RawBody, mesh: &Mesh) -> Shape {
         let nothing = Shape::Particles(Arc::new(Vec::new()));
         let words = shapes(self.dimension);
         let Some(word) = &raw.r#type else {
@@ -125,8 +131,25 @@ impl Build<'_> {
                     .collect(),
             },
             ShapeKind::ExtrudedPolygon => self.extruded(path, raw),
+            ShapeKind::Between => {
+                let stratum = self.between(path, raw, mesh);
+                let shape = stratum.map(|stratum| Shape::Stratum(Arc::new(stratum)));
+                self.or_nothing(path, shape)
+            }
+            ShapeKind::Solid => {
+                let shape = self.enclosed(path, raw);
+                self.or_nothing(path, shape)
+            }
             ShapeKind::Particles => Shape::Particles(Arc::new(self.particles(path, raw))),
         }
+    }
+
+    /// A shape, or a stand-in for one whose fault is known.
+    fn or_nothing(&mut self, path: &str, shape: Option<Shape>) -> Shape {
+        shape.unwrap_or_else(|| {
+            self.stands_in(format!("{path}.particles"));
+            Shape::Particles(Arc::new(Vec::new()))
+        })
     }
 
     fn center(&mut self, path: &str, raw: &RawBody) -> Vector {

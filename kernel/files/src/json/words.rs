@@ -86,6 +86,8 @@ pub(super) enum ShapeKind {
     Cylinder,
     Polygon,
     ExtrudedPolygon,
+    Between,
+    Solid,
     Particles,
 }
 
@@ -95,6 +97,8 @@ const SHAPES_3: Words<ShapeKind> = &[
     ("sphere", ShapeKind::Sphere),
     ("cylinder", ShapeKind::Cylinder),
     ("extruded_polygon", ShapeKind::ExtrudedPolygon),
+    ("between", ShapeKind::Between),
+    ("solid", ShapeKind::Solid),
     ("particles", ShapeKind::Particles),
 ];
 
@@ -105,6 +109,7 @@ const SHAPES_2: Words<ShapeKind> = &[
     ("disc", ShapeKind::Disc),
     ("ring", ShapeKind::Ring),
     ("polygon", ShapeKind::Polygon),
+    ("between", ShapeKind::Between),
     ("particles", ShapeKind::Particles),
 ];
 

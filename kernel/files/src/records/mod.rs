@@ -4,4 +4,5 @@ mod harmonic;
 mod table;
 
 pub use harmonic::{Harmonic, accelerogram, to_csv};
+pub(crate) use table::Table;
 pub use table::{read, read_particles};

@@ -90,14 +90,14 @@ fn padded(components: &[f64]) -> [f64; 3] {
 }
 
 /// A row of numbers, and where they stand.
-struct Row {
-    line: usize,
-    columns: Vec<usize>,
-    numbers: Vec<f64>,
+pub(crate) struct Row {
+    pub line: usize,
+    pub columns: Vec<usize>,
+    pub numbers: Vec<f64>,
 }
 
 /// A table while it is read.
-struct Table<'a> {
+pub(crate) struct Table<'a> {
     file: &'a Path,
     lines: usize,
     rows: Vec<Row>,
@@ -105,11 +105,18 @@ struct Table<'a> {
 }
 
 impl<'a> Table<'a> {
-    fn read(file: &'a Path, header: Option<bool>, names: &[&str]) -> Result<Self, SceneError> {
-        let text = crate::reading::read_to_string(file).map_err(|error| {
-            let accepted = format!("a text file with the columns {}", names.join(", "));
-            unreadable(&file.display().to_string(), &error, &accepted)
-        })?;
+    /// The text of a file.
+    pub fn text(file: &Path, accepted: &str) -> Result<String, SceneError> {
+        crate::reading::read_to_string(file)
+            .map_err(|error| unreadable(&file.display().to_string(), &error, accepted))
+    }
+
+    /// Rows of so many numbers; `header` as for [`read`].
+    pub fn read(file: &'a Path, header: Option<bool>, names: &[&str]) -> Result<Self, SceneError> {
+        let text = Self::text(
+            file,
+            &format!("a text file with the columns {}", names.join(", ")),
+        )?;
         let text = text.trim_start_matches('\u{feff}');
         let mut table = Self {
             file,
@@ -250,7 +257,8 @@ impl<'a> Table<'a> {
         }
     }
 
-    fn finish(self) -> Result<Vec<Row>, SceneError> {
+    /// The rows, or everything that is wrong with them.
+    pub fn finish(self) -> Result<Vec<Row>, SceneError> {
         SceneError::unless_empty(self.problems)?;
         Ok(self.rows)
     }

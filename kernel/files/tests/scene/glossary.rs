@@ -21,6 +21,14 @@ fn folder() -> TempDir {
     ] {
         std::fs::copy(fixtures.join(from), folder.path().join(to)).expect("a fixture");
     }
+    let head = "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n";
+    for (name, rows) in [
+        ("terrain.asc", "1 1.5\n1 1.5\n"),
+        ("rock.asc", "0.5 0.75\n0.5 0.75\n"),
+    ] {
+        let text = format!("{head}{rows}");
+        std::fs::write(folder.path().join(name), text).expect("a raster");
+    }
     folder
 }
 
@@ -200,6 +208,8 @@ fn bases() -> Vec<Value> {
         pushed["body"][i]["boundary_segment"] = json!(0.25);
     }
     let triangles = json!([[[0, 0, 0], [2, 0, 0], [0, 2, 0]]]);
+    let mut solid = shaped(3, &json!({"type": "solid", "stl_mesh": "block.stl"}));
+    solid["mesh"]["origin"] = json!([-1, -1, -0.5]);
     bases.extend([
         spelt,
         mortar,
@@ -232,6 +242,9 @@ fn bases() -> Vec<Value> {
             &json!({"type": "particles", "particles": [[0.5, 0.5, 0.5, 0.001]]}),
         ),
         shaped(3, &json!({"type": "particles", "file": "particles.csv"})),
+        shaped(2, &json!({"type": "between", "lower": 0, "upper": 1})),
+        shaped(3, &json!({"type": "between", "lower": 0, "upper": 1})),
+        solid,
     ]);
     bases
 }

@@ -12,5 +12,6 @@ mod position;
 mod records;
 mod soils;
 mod stages;
+mod terrain;
 mod unknown;
 mod written;

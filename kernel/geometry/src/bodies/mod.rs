@@ -17,6 +17,7 @@
 //! height h / ppc, and the centre of mass of a shape that the mesh does not mirror is off by O(h / ppc).
 
 mod ball;
+mod columns;
 mod cuboid;
 mod cylinder;
 mod error;
@@ -113,6 +114,8 @@ pub fn expected(shape: &Shape, particles_per_cell: [usize; 3], mesh: &Mesh, axes
         Shape::ExtrudedPolygon { points, range, .. } => {
             polygon::area(points) * (range[1] - range[0])
         }
+        Shape::Stratum(stratum) => stratum.volume(),
+        Shape::Enclosed(body) => body.volume(),
     };
     volume / sub_cell
 }
@@ -173,6 +176,14 @@ pub fn fill_within(
             },
             Dimension::Three,
         ) => polygon::fill_extruded(&lattice()?, points, *axis, *range),
+        (Shape::Stratum(stratum), _) if stratum.axes() == dimension.axes() => {
+            columns::fill_stratum(&lattice()?, stratum, &mesh.origin)
+        }
+        (Shape::Enclosed(body), Dimension::Three) => {
+            columns::fill_enclosed(&lattice()?, body, &mesh.origin)
+        }
+        (Shape::Stratum(_), _) => refuse("stratum"),
+        (Shape::Enclosed(_), Dimension::Two) => refuse("enclosed body"),
         (Shape::Ring { .. }, Dimension::Three) => refuse("ring"),
         (Shape::Cylinder { .. }, Dimension::Two) => refuse("cylinder"),
         (Shape::Polygon { .. }, Dimension::Three) => refuse("polygon"),

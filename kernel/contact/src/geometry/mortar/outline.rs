@@ -64,9 +64,11 @@ pub fn outline(shape: &Shape, segment: f64) -> Result<Vec<Chain>, OutlineError> 
             ])
         }
         Shape::Polygon { points } => Ok(vec![outer(along(&counter_clockwise(points), segment))]),
-        Shape::Cylinder { .. } | Shape::ExtrudedPolygon { .. } | Shape::Particles(_) => {
-            Err(OutlineError::Shape)
-        }
+        Shape::Cylinder { .. }
+        | Shape::ExtrudedPolygon { .. }
+        | Shape::Stratum(_)
+        | Shape::Enclosed(_)
+        | Shape::Particles(_) => Err(OutlineError::Shape),
     }
 }
 
@@ -104,7 +106,11 @@ pub fn distance_to_outline(shape: &Shape, x: &Point) -> Option<f64> {
         } => return Some(from_circle(center, *inner).min(from_circle(center, *outer))),
         Shape::Cuboid { p1, p2 } => rectangle(p1, p2).to_vec(),
         Shape::Polygon { points } => counter_clockwise(points),
-        Shape::Cylinder { .. } | Shape::ExtrudedPolygon { .. } | Shape::Particles(_) => {
+        Shape::Cylinder { .. }
+        | Shape::ExtrudedPolygon { .. }
+        | Shape::Stratum(_)
+        | Shape::Enclosed(_)
+        | Shape::Particles(_) => {
             return None;
         }
     };
@@ -133,7 +139,11 @@ pub fn vertices(shape: &Shape, segment: f64) -> f64 {
             let corners: Vec<Point> = points.iter().map(|p| Point::new(p[0], p[1])).collect();
             around(&corners, segment)
         }
-        Shape::Cylinder { .. } | Shape::ExtrudedPolygon { .. } | Shape::Particles(_) => 0.0,
+        Shape::Cylinder { .. }
+        | Shape::ExtrudedPolygon { .. }
+        | Shape::Stratum(_)
+        | Shape::Enclosed(_)
+        | Shape::Particles(_) => 0.0,
     }
 }
 

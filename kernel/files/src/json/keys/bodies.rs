@@ -4,15 +4,19 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::json::lists::{Comment, Counts, VectorOrTable};
+use crate::json::sheets::RawSheet;
 
 /// A body. Which keys its shape needs depends on its type.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, expecting = "an object with the keys of a body")]
 pub(in crate::json) struct RawBody {
-    /// Shape: cuboid (2D and 3D), sphere, cylinder, `extruded_polygon` (3D), rectangle, disc, ring, polygon (2D),
-    /// particles (2D and 3D).
+    /// Shape: cuboid (2D and 3D), sphere, cylinder, `extruded_polygon`, solid (3D), rectangle, disc, ring, polygon (2D),
+    /// between and particles (2D and 3D).
     #[schemars(extend(
-        "enum" = ["cuboid", "rectangle", "sphere", "disc", "ring", "cylinder", "polygon", "extruded_polygon", "particles"],
+        "enum" = [
+            "cuboid", "rectangle", "sphere", "disc", "ring", "cylinder", "polygon", "extruded_polygon", "between", "solid",
+            "particles",
+        ],
         "x-needed" = true, "examples" = ["cuboid", "rectangle"]
     ))]
     pub r#type: Option<String>,
@@ -72,6 +76,30 @@ pub(in crate::json) struct RawBody {
         "x-unit" = "m", "x-needs" = "`type` \"extruded_polygon\"", "x-needed" = true, "examples" = [[0, 1]]
     ))]
     pub range: Option<Vec<f64>>,
+    /// Surface below the body: a level, a list of points x, y in ascending order of x (2D), or a file. A file is in two
+    /// dimensions a table of x, y; in three an ESRI ASCII grid, a table of x, y, z on a regular grid, or an STL surface.
+    #[schemars(extend(
+        "x-unit" = "m", "x-needs" = "`type` \"between\"", "x-needed" = true, "x-file" = true, "examples" = [0, "rock.asc"]
+    ))]
+    pub lower: Option<RawSheet>,
+    /// Surface above the body, in the forms of `lower`.
+    #[schemars(extend(
+        "x-unit" = "m", "x-needs" = "`type` \"between\"", "x-needed" = true, "x-file" = true,
+        "examples" = [1, [[0, 1], [2, 0.5]], "terrain.asc"]
+    ))]
+    pub upper: Option<RawSheet>,
+    /// Part of the plan that the body covers: a row of the lower and the upper coordinate for x, and in three dimensions
+    /// for y.
+    #[schemars(extend(
+        "x-unit" = "m", "x-needs" = "`type` \"between\"", "x-default" = "the whole mesh",
+        "examples" = [[[0, 1]], [[0, 1], [0, 1]]]
+    ))]
+    pub plan: Option<Vec<Vec<f64>>>,
+    /// STL file with the closed surface of a solid.
+    #[schemars(extend(
+        "x-needs" = "`type` \"solid\"", "x-needed" = true, "x-file" = true, "examples" = ["block.stl"]
+    ))]
+    pub stl_mesh: Option<String>,
     /// Particles: rows of position and volume.
     #[schemars(extend(
         "x-unit" = "m, m³", "x-needs" = "`type` \"particles\" without `file`", "x-needed" = true,

@@ -6,6 +6,7 @@ use crate::values::initial_stress::axis_of;
 use crate::values::{Body, InitialStress, Scene};
 use proctor_geometry::number::Number;
 use proctor_geometry::polygon;
+use proctor_geometry::stratum::Stratum;
 use proctor_kernel::model::{Dimension, Mesh, Shape, Vector};
 
 pub(super) fn check(scene: &Scene, mesh_is_sound: bool, problems: &mut Collector) {
@@ -102,7 +103,11 @@ fn check_initial_stress(scene: &Scene, body: &Body, path: &str, problems: &mut C
 fn check_shape(shape: &Shape, dimension: Dimension, path: &str, problems: &mut Collector) {
     let only = match shape {
         Shape::Ring { .. } | Shape::Polygon { .. } => Some(Dimension::Two),
-        Shape::Cylinder { .. } | Shape::ExtrudedPolygon { .. } => Some(Dimension::Three),
+        Shape::Cylinder { .. } | Shape::ExtrudedPolygon { .. } | Shape::Enclosed(_) => {
+            Some(Dimension::Three)
+        }
+        Shape::Stratum(stratum) if stratum.axes() == 2 => Some(Dimension::Two),
+        Shape::Stratum(_) => Some(Dimension::Three),
         Shape::Cuboid { .. } | Shape::Sphere { .. } | Shape::Particles(_) => None,
     };
     if only.is_some_and(|only| only != dimension) {
@@ -189,6 +194,12 @@ fn check_shape(shape: &Shape, dimension: Dimension, path: &str, problems: &mut C
                     "finite numbers",
                 );
             }
+        }
+        Shape::Stratum(stratum) => {
+            problems.positive(format!("{path}.upper"), stratum.volume(), "m³");
+        }
+        Shape::Enclosed(body) => {
+            problems.positive(format!("{path}.stl_mesh"), body.volume(), "m³");
         }
         Shape::Particles(seeds) => {
             if seeds.is_empty() {
@@ -332,6 +343,13 @@ fn check_place(shape: &Shape, scene: &Scene, path: &str, problems: &mut Collecto
                 }
             }
         }
+        Shape::Stratum(stratum) => check_stratum(stratum, mesh, path, problems),
+        Shape::Enclosed(body) => {
+            let path = format!("{path}.stl_mesh");
+            (body.bounds().iter()).any(|corner| {
+                (0..axes).any(|axis| outside(mesh, axis, corner[axis], &path, problems))
+            });
+        }
         Shape::Particles(seeds) => {
             for (k, seed) in seeds.iter().enumerate() {
                 for axis in 0..axes {
@@ -339,6 +357,31 @@ fn check_place(shape: &Shape, scene: &Scene, path: &str, problems: &mut Collecto
                     outside(mesh, axis, seed.position[axis], &path, problems);
                 }
             }
+        }
+    }
+}
+
+/// Places where ground between sheets leaves the mesh: beyond its plan, and at its lowest and its highest point.
+fn check_stratum(stratum: &Stratum, mesh: &Mesh, path: &str, problems: &mut Collector) {
+    let last = stratum.axes() - 1;
+    for axis in 0..last {
+        for (side, x) in stratum.range()[axis].into_iter().enumerate() {
+            outside(
+                mesh,
+                axis,
+                x,
+                &format!("{path}.plan[{axis}][{side}]"),
+                problems,
+            );
+        }
+    }
+    for (key, point) in ["lower", "upper"].into_iter().zip(stratum.extremes()) {
+        let before = problems.found.len();
+        if outside(mesh, last, point[2], &format!("{path}.{key}"), problems) {
+            let place =
+                (0..last).map(|axis| format!("{} = {}", ["x", "y"][axis], rounded(point[axis])));
+            let found = &mut problems.found[before].found;
+            *found = format!("{found}, at {}", place.collect::<Vec<_>>().join(", "));
         }
     }
 }

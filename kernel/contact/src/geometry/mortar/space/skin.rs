@@ -56,7 +56,11 @@ pub fn skin(shape: &Shape, segment: f64) -> Result<Vec<[[f64; 3]; 3]>, OutlineEr
             axis,
             range,
         } => extruded(points, *axis, *range, segment, &mut out),
-        Shape::Ring { .. } | Shape::Polygon { .. } | Shape::Particles(_) => {
+        Shape::Ring { .. }
+        | Shape::Polygon { .. }
+        | Shape::Stratum(_)
+        | Shape::Enclosed(_)
+        | Shape::Particles(_) => {
             return Err(OutlineError::Shape);
         }
     }
@@ -88,7 +92,11 @@ pub fn triangles(shape: &Shape, segment: f64) -> f64 {
             let faces = 2.0 * (outline + 8.0 * area / segment / segment);
             2.0 * outline * parts(range[1] - range[0]) + faces
         }
-        Shape::Ring { .. } | Shape::Polygon { .. } | Shape::Particles(_) => 0.0,
+        Shape::Ring { .. }
+        | Shape::Polygon { .. }
+        | Shape::Stratum(_)
+        | Shape::Enclosed(_)
+        | Shape::Particles(_) => 0.0,
     }
 }
 

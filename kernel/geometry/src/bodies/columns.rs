@@ -1,0 +1,71 @@
+//! Bodies known by intervals of height above points of the plan: ground between sheets, and the inside of a closed surface.
+
+use super::FilledBody;
+use super::error::FillError;
+use super::lattice::Lattice;
+use crate::enclosed::Enclosed;
+use crate::shape::Vector;
+use crate::sheet::PlanPoint;
+use crate::stratum::Stratum;
+
+/// Particles of a stratum in the coordinates of the scene \[m\], in a mesh that begins at `origin`.
+///
+/// # Errors
+///
+/// As [`super::fill`].
+pub(super) fn fill_stratum(
+    lattice: &Lattice,
+    stratum: &Stratum,
+    origin: &Vector,
+) -> Result<FilledBody, FillError> {
+    let stratum = stratum.relative_to(origin);
+    fill(
+        lattice,
+        &stratum.bounds(),
+        stratum.volume(),
+        |at, intervals| {
+            stratum.intervals(at, intervals);
+        },
+    )
+}
+
+/// Particles inside a closed surface in the coordinates of the scene \[m\], in a mesh that begins at `origin`.
+///
+/// # Errors
+///
+/// As [`super::fill`].
+pub(super) fn fill_enclosed(
+    lattice: &Lattice,
+    body: &Enclosed,
+    origin: &Vector,
+) -> Result<FilledBody, FillError> {
+    let body = body.relative_to(origin);
+    fill(lattice, &body.bounds(), body.volume(), |at, intervals| {
+        body.intervals(at, intervals);
+    })
+}
+
+fn fill(
+    lattice: &Lattice,
+    [low, high]: &[Vector; 2],
+    volume: f64,
+    above: impl Fn(PlanPoint, &mut Vec<[f64; 2]>),
+) -> Result<FilledBody, FillError> {
+    let bounds = std::array::from_fn(|axis| [low[axis], high[axis]]);
+    let last = lattice.last();
+    let tolerance = lattice.distance_tolerance();
+    let mut intervals = vec![];
+    lattice.sweep(&bounds, volume, |[i, j], runs| {
+        // In two dimensions in the middle of the unit thickness.
+        let across = if lattice.axes == 2 {
+            0.5
+        } else {
+            lattice.centre(1, j)
+        };
+        above([lattice.centre(0, i), across], &mut intervals);
+        runs.extend(
+            (intervals.drain(..))
+                .map(|[low, high]| lattice.between(last, low + tolerance, high - tolerance)),
+        );
+    })
+}

@@ -1,0 +1,347 @@
+//! Strata: the ground between sheets, over a rectangle of the plan.
+
+use crate::shape::Vector;
+use crate::sheet::{PlanPoint, PlanRange, Sheet, clip, overlay, polygon_area};
+
+/// The ground above all of some sheets and below all of others, less some boxes. Heights are along the last axis.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stratum {
+    axes: usize,
+    range: PlanRange,
+    lower: Vec<Sheet>,
+    upper: Vec<Sheet>,
+    without: Vec<[Vector; 2]>,
+    volume: f64,
+    extremes: [Vector; 2],
+}
+
+impl Stratum {
+    /// The ground between two sheets over a rectangle of the plan, in a number of axes, 2 or 3. In two dimensions the second
+    /// range is that of the unit thickness, 0 to 1 m.
+    #[must_use]
+    pub fn new(axes: usize, range: PlanRange, lower: Sheet, upper: Sheet) -> Self {
+        Self::from_parts(axes, range, vec![lower], vec![upper], vec![])
+    }
+
+    /// An axis-aligned box, in two dimensions a rectangle, as the ground between two levels.
+    #[must_use]
+    pub fn of_box(axes: usize, p1: &Vector, p2: &Vector) -> Self {
+        let lower = Sheet::Level(p1[axes - 1]);
+        Self::new(
+            axes,
+            plan_of(axes, p1, p2),
+            lower,
+            Sheet::Level(p2[axes - 1]),
+        )
+    }
+
+    fn from_parts(
+        axes: usize,
+        range: PlanRange,
+        lower: Vec<Sheet>,
+        upper: Vec<Sheet>,
+        without: Vec<[Vector; 2]>,
+    ) -> Self {
+        let of = |sheets: &[Sheet], side: usize, sign: f64| {
+            let points = sheets.iter().map(|sheet| sheet.extremes(&range)[side]);
+            points.reduce(|a, b| if sign * b[2] > sign * a[2] { b } else { a })
+        };
+        // No part of it lies below the highest of the lowest points.
+        let extremes = [of(&lower, 0, 1.0), of(&upper, 1, -1.0)].map(Option::unwrap_or_default);
+        let volume = volume(axes, &range, &lower, &upper, &without);
+        Self {
+            axes,
+            range,
+            lower,
+            upper,
+            without,
+            volume,
+            extremes,
+        }
+    }
+
+    /// The part above a sheet.
+    #[must_use]
+    pub fn above(&self, sheet: &Sheet) -> Self {
+        let lower = [&self.lower[..], std::slice::from_ref(sheet)].concat();
+        let (upper, without) = (self.upper.clone(), self.without.clone());
+        Self::from_parts(self.axes, self.range, lower, upper, without)
+    }
+
+    /// The part below a sheet.
+    #[must_use]
+    pub fn below(&self, sheet: &Sheet) -> Self {
+        let upper = [&self.upper[..], std::slice::from_ref(sheet)].concat();
+        let (lower, without) = (self.lower.clone(), self.without.clone());
+        Self::from_parts(self.axes, self.range, lower, upper, without)
+    }
+
+    /// The part that also lies in another.
+    #[must_use]
+    pub fn common(&self, other: &Self) -> Self {
+        let range = [0, 1].map(|axis| {
+            let ([a, b], [c, d]) = (self.range[axis], other.range[axis]);
+            [a.max(c), b.min(d)]
+        });
+        let joined = |a: &[Sheet], b: &[Sheet]| [a, b].concat();
+        let without = [&self.without[..], &other.without[..]].concat();
+        let (lower, upper) = (&self.lower, &self.upper);
+        let (lower, upper) = (joined(lower, &other.lower), joined(upper, &other.upper));
+        Self::from_parts(self.axes, range, lower, upper, without)
+    }
+
+    /// The part outside a box.
+    #[must_use]
+    pub fn without(&self, p1: &Vector, p2: &Vector) -> Self {
+        let without = [&self.without[..], &[[*p1, *p2]]].concat();
+        let (lower, upper) = (self.lower.clone(), self.upper.clone());
+        Self::from_parts(self.axes, self.range, lower, upper, without)
+    }
+
+    /// Number of axes, 2 or 3.
+    #[must_use]
+    pub fn axes(&self) -> usize {
+        self.axes
+    }
+
+    /// The rectangle of the plan \[m\].
+    #[must_use]
+    pub fn range(&self) -> &PlanRange {
+        &self.range
+    }
+
+    /// The sheets above which all of it lies.
+    #[must_use]
+    pub fn lower(&self) -> &[Sheet] {
+        &self.lower
+    }
+
+    /// The sheets below which all of it lies.
+    #[must_use]
+    pub fn upper(&self) -> &[Sheet] {
+        &self.upper
+    }
+
+    /// Exact volume \[m³\]; in two dimensions area times unit thickness.
+    #[must_use]
+    pub fn volume(&self) -> f64 {
+        self.volume
+    }
+
+    /// Points of the plan and heights that no part of it lies below and above \[m\].
+    #[must_use]
+    pub fn extremes(&self) -> &[Vector; 2] {
+        &self.extremes
+    }
+
+    /// Lower and upper corner of a box around it \[m\].
+    #[must_use]
+    pub fn bounds(&self) -> [Vector; 2] {
+        [0, 1].map(|side| {
+            let height = self.extremes[side][2];
+            let [u, v] = self.range.map(|range| range[side]);
+            if self.axes == 2 {
+                [u, height, 0.0]
+            } else {
+                [u, v, height]
+            }
+        })
+    }
+
+    /// Appends its intervals of height above a point of the plan, in ascending order \[m\].
+    pub fn intervals(&self, at: PlanPoint, into: &mut Vec<[f64; 2]>) {
+        let lower = self.lower.iter().map(|sheet| sheet.height(at));
+        let upper = self.upper.iter().map(|sheet| sheet.height(at));
+        let low = lower.reduce(|a, b| Some(a?.max(b?))).flatten();
+        let high = upper.reduce(|a, b| Some(a?.min(b?))).flatten();
+        let (Some(low), Some(high)) = (low, high) else {
+            return;
+        };
+        if low >= high || (0..2).any(|axis| !inside(self.range[axis], at[axis])) {
+            return;
+        }
+        let mut parts = vec![[low, high]];
+        for [p1, p2] in &self.without {
+            let range = plan_of(self.axes, p1, p2);
+            if (0..2).any(|axis| !inside(range[axis], at[axis])) {
+                continue;
+            }
+            let [bottom, top] = [p1, p2].map(|corner| corner[self.axes - 1]);
+            parts = (parts.iter())
+                .flat_map(|[low, high]| [[*low, high.min(bottom)], [low.max(top), *high]])
+                .filter(|[low, high]| low < high)
+                .collect();
+        }
+        into.extend(parts);
+    }
+
+    /// The same ground in coordinates that begin at `origin` \[m\].
+    #[must_use]
+    pub fn relative_to(&self, origin: &Vector) -> Self {
+        let by = if self.axes == 2 {
+            [origin[0], 0.0, origin[1]]
+        } else {
+            *origin
+        };
+        let moved = |x: &Vector| -> Vector { std::array::from_fn(|axis| x[axis] - by[axis]) };
+        let sheets = |all: &[Sheet]| all.iter().map(|sheet| sheet.relative_to(&by)).collect();
+        Self {
+            axes: self.axes,
+            range: [0, 1].map(|axis| self.range[axis].map(|x| x - by[axis])),
+            lower: sheets(&self.lower),
+            upper: sheets(&self.upper),
+            without: (self.without.iter())
+                .map(|corners| {
+                    corners.map(|corner| std::array::from_fn(|axis| corner[axis] - origin[axis]))
+                })
+                .collect(),
+            volume: self.volume,
+            extremes: [moved(&self.extremes[0]), moved(&self.extremes[1])],
+        }
+    }
+}
+
+fn inside([low, high]: [f64; 2], x: f64) -> bool {
+    low <= x && x <= high
+}
+
+/// The plan of a box; in two dimensions with the unit thickness.
+fn plan_of(axes: usize, p1: &Vector, p2: &Vector) -> PlanRange {
+    let across = if axes == 2 {
+        [0.0, 1.0]
+    } else {
+        [p1[1], p2[1]]
+    };
+    [[p1[0], p2[0]], across]
+}
+
+fn volume(
+    axes: usize,
+    range: &PlanRange,
+    lower: &[Sheet],
+    upper: &[Sheet],
+    without: &[[Vector; 2]],
+) -> f64 {
+    if range.iter().any(|[low, high]| low >= high) {
+        return 0.0;
+    }
+    let Some(([p1, p2], others)) = without.split_last() else {
+        return between(range, lower, upper);
+    };
+    let plan = plan_of(axes, p1, p2);
+    let common = [0, 1].map(|axis| {
+        let ([a, b], [c, d]) = (range[axis], plan[axis]);
+        [a.max(c), b.min(d)]
+    });
+    let low = [lower, &[Sheet::Level(p1[axes - 1])]].concat();
+    let high = [upper, &[Sheet::Level(p2[axes - 1])]].concat();
+    let whole = volume(axes, range, lower, upper, others);
+    whole - volume(axes, &common, &low, &high, others)
+}
+
+/// Volume above all lower and below all upper sheets \[m³\].
+fn between(range: &PlanRange, lower: &[Sheet], upper: &[Sheet]) -> f64 {
+    let sheets: Vec<&Sheet> = lower.iter().chain(upper).collect();
+    let mut total = 0.0;
+    overlay(range, &sheets, &mut |polygon, planes| {
+        let (low, high) = planes.split_at(lower.len());
+        for i in 0..low.len() {
+            let over_i = part(polygon, low.len(), i, |k, p| low[i].at(p) - low[k].at(p));
+            for j in 0..high.len() {
+                let under_j = part(&over_i, high.len(), j, |k, p| high[k].at(p) - high[j].at(p));
+                let thickness = |p: PlanPoint| high[j].at(p) - low[i].at(p);
+                total += integral(&clip(&under_j, thickness), thickness);
+            }
+        }
+    });
+    total
+}
+
+/// The part of a polygon where one of several planes is ahead of all others; of planes that are one, the first is.
+fn part(
+    polygon: &[PlanPoint],
+    count: usize,
+    own: usize,
+    ahead: impl Fn(usize, PlanPoint) -> f64,
+) -> Vec<PlanPoint> {
+    let mut part = polygon.to_vec();
+    for other in (0..count).filter(|other| *other != own) {
+        if part.iter().all(|p| ahead(other, *p) == 0.0) {
+            if other < own {
+                return vec![];
+            }
+        } else {
+            part = clip(&part, |p| ahead(other, p));
+        }
+    }
+    part
+}
+
+/// Integral of a linear function over a convex polygon.
+fn integral(polygon: &[PlanPoint], value: impl Fn(PlanPoint) -> f64) -> f64 {
+    let Some(&base) = polygon.first() else {
+        return 0.0;
+    };
+    (polygon.windows(2).skip(1))
+        .map(|pair| {
+            let triangle = [base, pair[0], pair[1]];
+            let mean = triangle.iter().map(|p| value(*p)).sum::<f64>() / 3.0;
+            polygon_area(&triangle) * mean
+        })
+        .sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn close(a: f64, b: f64) {
+        assert!((a - b).abs() <= 1e-12 * b.abs().max(1.0), "{a} {b}");
+    }
+
+    #[test]
+    fn area_below_a_line_is_that_of_its_trapezia() {
+        let top = Sheet::polyline(&[[0.0, 4.0], [3.0, 4.0], [7.0, 1.0], [10.0, 2.0]]);
+        let whole = Stratum::new(2, [[0.0, 10.0], [0.0, 1.0]], Sheet::Level(0.0), top.clone());
+        close(whole.volume(), 12.0 + 10.0 + 4.5);
+        // The level of 2 m meets the line at x = 17/3 and at its end.
+        let upper = whole.above(&Sheet::Level(2.0));
+        close(upper.volume(), 6.0 + 0.5 * (17.0 / 3.0 - 3.0) * 2.0);
+        close(
+            whole.below(&Sheet::Level(2.0)).volume() + upper.volume(),
+            whole.volume(),
+        );
+        // The same sheet twice changes nothing.
+        close(whole.below(&top).volume(), whole.volume());
+        assert_eq!(whole.bounds(), [[0.0, 0.0, 0.0], [10.0, 4.0, 0.0]]);
+    }
+
+    #[test]
+    fn boxes_are_taken_out_once_even_where_they_overlap() {
+        let block = Stratum::of_box(3, &[0.0; 3], &[4.0, 4.0, 4.0]);
+        let left = block
+            .without(&[0.0; 3], &[2.0, 2.0, 2.0])
+            .without(&[1.0; 3], &[3.0, 3.0, 3.0]);
+        close(left.volume(), 64.0 - 8.0 - 8.0 + 1.0);
+        let mut intervals = vec![];
+        left.intervals([1.5, 1.5], &mut intervals);
+        assert_eq!(intervals, [[3.0, 4.0]]);
+    }
+
+    #[test]
+    fn two_planes_of_space_that_cross_leave_a_wedge() {
+        let corners = vec![
+            [0.0, 0.0, 0.0],
+            [2.0, 0.0, 2.0],
+            [2.0, 3.0, 2.0],
+            [0.0, 3.0, 0.0],
+        ];
+        let slope = Sheet::triangles(corners, vec![[0, 1, 2], [0, 2, 3]]);
+        let wedge = Stratum::new(3, [[0.0, 2.0], [0.0, 3.0]], Sheet::Level(1.0), slope);
+        close(wedge.volume(), 1.5);
+        let moved = wedge.relative_to(&[1e3, 1e3, 1e3]);
+        let mut intervals = vec![];
+        moved.intervals([1.5 - 1e3, 1.0 - 1e3], &mut intervals);
+        close(intervals[0][1] - intervals[0][0], 0.5);
+    }
+}
