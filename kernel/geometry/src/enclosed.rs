@@ -1,5 +1,6 @@
 //! Enclosed bodies: the inside of a closed surface of triangles.
 
+use crate::number::fingerprint_of;
 use crate::shape::Vector;
 use crate::sheet::{Bins, PlanPoint, rectangle};
 use std::fmt;
@@ -91,6 +92,10 @@ impl fmt::Debug for Enclosed {
             .field("triangles", &self.triangles.len())
             .field("bounds", &self.bounds)
             .field("volume", &self.volume)
+            .field(
+                "fingerprint",
+                &fingerprint_of(&self.corners, &self.triangles),
+            )
             .finish_non_exhaustive()
     }
 }

@@ -24,6 +24,22 @@ pub fn list(values: &[f64]) -> String {
     format!("[{}]", words.join(", "))
 }
 
+/// Hash of words, so that large values can be told apart without printing them.
+#[must_use]
+pub fn fingerprint(words: impl Iterator<Item = u64>) -> u64 {
+    words.fold(0xcbf2_9ce4_8422_2325, |hash, word| {
+        let hash = (hash ^ word).wrapping_mul(0x0000_0100_0000_01b3);
+        hash ^ (hash >> 32)
+    })
+}
+
+/// Hash of corners and triangles.
+#[must_use]
+pub fn fingerprint_of(corners: &[[f64; 3]], triangles: &[[u32; 3]]) -> u64 {
+    let corners = corners.iter().flatten().map(|x| x.to_bits());
+    fingerprint(corners.chain(triangles.iter().flatten().map(|v| u64::from(*v))))
+}
+
 #[cfg(test)]
 mod tests {
     use super::{Number, list};

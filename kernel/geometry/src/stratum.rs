@@ -42,6 +42,17 @@ impl Stratum {
         upper: Vec<Sheet>,
         without: Vec<[Vector; 2]>,
     ) -> Self {
+        if range.iter().any(|[low, high]| low >= high) {
+            return Self {
+                axes,
+                range,
+                lower,
+                upper,
+                without,
+                volume: 0.0,
+                extremes: [[0.0; 3]; 2],
+            };
+        }
         let of = |sheets: &[Sheet], side: usize, sign: f64| {
             let points = sheets.iter().map(|sheet| sheet.extremes(&range)[side]);
             points.reduce(|a, b| if sign * b[2] > sign * a[2] { b } else { a })
@@ -60,42 +71,66 @@ impl Stratum {
         }
     }
 
-    /// The part above a sheet.
+    /// The part above some sheets, below others, in a box and outside of others.
     #[must_use]
-    pub fn above(&self, sheet: &Sheet) -> Self {
-        let lower = [&self.lower[..], std::slice::from_ref(sheet)].concat();
-        let (upper, without) = (self.upper.clone(), self.without.clone());
-        Self::from_parts(self.axes, self.range, lower, upper, without)
-    }
-
-    /// The part below a sheet.
-    #[must_use]
-    pub fn below(&self, sheet: &Sheet) -> Self {
-        let upper = [&self.upper[..], std::slice::from_ref(sheet)].concat();
-        let (lower, without) = (self.lower.clone(), self.without.clone());
-        Self::from_parts(self.axes, self.range, lower, upper, without)
-    }
-
-    /// The part that also lies in another.
-    #[must_use]
-    pub fn common(&self, other: &Self) -> Self {
-        let range = [0, 1].map(|axis| {
-            let ([a, b], [c, d]) = (self.range[axis], other.range[axis]);
-            [a.max(c), b.min(d)]
-        });
-        let joined = |a: &[Sheet], b: &[Sheet]| [a, b].concat();
-        let without = [&self.without[..], &other.without[..]].concat();
-        let (lower, upper) = (&self.lower, &self.upper);
-        let (lower, upper) = (joined(lower, &other.lower), joined(upper, &other.upper));
+    pub fn part(
+        &self,
+        above: &[Sheet],
+        below: &[Sheet],
+        inside: Option<&[Vector; 2]>,
+        outside: &[[Vector; 2]],
+    ) -> Self {
+        let mut range = self.range;
+        let mut lower = [&self.lower[..], above].concat();
+        let mut upper = [&self.upper[..], below].concat();
+        if let Some([p1, p2]) = inside {
+            range = common_range(&range, &plan_of(self.axes, p1, p2));
+            lower.push(Sheet::Level(p1[self.axes - 1]));
+            upper.push(Sheet::Level(p2[self.axes - 1]));
+        }
+        let without = [&self.without[..], outside].concat();
         Self::from_parts(self.axes, range, lower, upper, without)
     }
 
-    /// The part outside a box.
+    /// The ground that also lies in another stratum.
     #[must_use]
-    pub fn without(&self, p1: &Vector, p2: &Vector) -> Self {
-        let without = [&self.without[..], &[[*p1, *p2]]].concat();
-        let (lower, upper) = (self.lower.clone(), self.upper.clone());
-        Self::from_parts(self.axes, self.range, lower, upper, without)
+    pub fn common(&self, other: &Self) -> Self {
+        Self::from_parts(
+            self.axes,
+            common_range(&self.range, &other.range),
+            [&self.lower[..], &other.lower].concat(),
+            [&self.upper[..], &other.upper].concat(),
+            [&self.without[..], &other.without].concat(),
+        )
+    }
+
+    /// A point in it, where it is thickest near the place that holds most of it \[m\]; `None` if it is empty.
+    #[must_use]
+    pub fn place(&self) -> Option<Vector> {
+        /// Halvings of the plan along each axis.
+        const HALVINGS: usize = 12;
+        let mut range = self.range;
+        let held =
+            |range: &PlanRange| volume(self.axes, range, &self.lower, &self.upper, &self.without);
+        for halving in 0..2 * HALVINGS {
+            let axis = halving % 2;
+            let middle = 0.5 * (range[axis][0] + range[axis][1]);
+            let (mut low, mut high) = (range, range);
+            (low[axis][1], high[axis][0]) = (middle, middle);
+            range = if held(&low) >= held(&high) { low } else { high };
+        }
+        let at = range.map(|[low, high]| 0.5 * (low + high));
+        let mut intervals = vec![];
+        self.intervals(at, &mut intervals);
+        let thickest = intervals
+            .into_iter()
+            .max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])))?;
+        let height = 0.5 * (thickest[0] + thickest[1]);
+        Some(if self.axes == 2 {
+            [at[0], height, 0.0]
+        } else {
+            [at[0], at[1], height]
+        })
     }
 
     /// Number of axes, 2 or 3.
@@ -215,6 +250,12 @@ fn plan_of(axes: usize, p1: &Vector, p2: &Vector) -> PlanRange {
     [[p1[0], p2[0]], across]
 }
 
+/// The rectangle that two share; one whose ends are not in order if they share none.
+fn common_range(a: &PlanRange, b: &PlanRange) -> PlanRange {
+    [0, 1].map(|axis| [a[axis][0].max(b[axis][0]), a[axis][1].min(b[axis][1])])
+}
+
+/// Volume above all lower and below all upper sheets, less that of the boxes \[m³\].
 fn volume(
     axes: usize,
     range: &PlanRange,
@@ -228,11 +269,7 @@ fn volume(
     let Some(([p1, p2], others)) = without.split_last() else {
         return between(range, lower, upper);
     };
-    let plan = plan_of(axes, p1, p2);
-    let common = [0, 1].map(|axis| {
-        let ([a, b], [c, d]) = (range[axis], plan[axis]);
-        [a.max(c), b.min(d)]
-    });
+    let common = common_range(range, &plan_of(axes, p1, p2));
     let low = [lower, &[Sheet::Level(p1[axes - 1])]].concat();
     let high = [upper, &[Sheet::Level(p2[axes - 1])]].concat();
     let whole = volume(axes, range, lower, upper, others);
@@ -305,27 +342,40 @@ mod tests {
         let whole = Stratum::new(2, [[0.0, 10.0], [0.0, 1.0]], Sheet::Level(0.0), top.clone());
         close(whole.volume(), 12.0 + 10.0 + 4.5);
         // The level of 2 m meets the line at x = 17/3 and at its end.
-        let upper = whole.above(&Sheet::Level(2.0));
+        let upper = whole.part(&[Sheet::Level(2.0)], &[], None, &[]);
         close(upper.volume(), 6.0 + 0.5 * (17.0 / 3.0 - 3.0) * 2.0);
         close(
-            whole.below(&Sheet::Level(2.0)).volume() + upper.volume(),
+            whole.part(&[], &[Sheet::Level(2.0)], None, &[]).volume() + upper.volume(),
             whole.volume(),
         );
         // The same sheet twice changes nothing.
-        close(whole.below(&top).volume(), whole.volume());
+        close(whole.part(&[], &[top], None, &[]).volume(), whole.volume());
         assert_eq!(whole.bounds(), [[0.0, 0.0, 0.0], [10.0, 4.0, 0.0]]);
     }
 
     #[test]
     fn boxes_are_taken_out_once_even_where_they_overlap() {
         let block = Stratum::of_box(3, &[0.0; 3], &[4.0, 4.0, 4.0]);
-        let left = block
-            .without(&[0.0; 3], &[2.0, 2.0, 2.0])
-            .without(&[1.0; 3], &[3.0, 3.0, 3.0]);
+        let boxes = [[[0.0; 3], [2.0; 3]], [[1.0; 3], [3.0; 3]]];
+        let left = block.part(&[], &[], None, &boxes);
         close(left.volume(), 64.0 - 8.0 - 8.0 + 1.0);
         let mut intervals = vec![];
         left.intervals([1.5, 1.5], &mut intervals);
         assert_eq!(intervals, [[3.0, 4.0]]);
+        close(
+            block.part(&[], &[], Some(&boxes[0]), &boxes[1..]).volume(),
+            7.0,
+        );
+        let common = block.common(&Stratum::of_box(3, &[3.0; 3], &[9.0; 3]));
+        close(common.volume(), 1.0);
+        let place = common.place().unwrap();
+        assert!(place.iter().all(|x| (3.0..=4.0).contains(x)), "{place:?}");
+        assert_eq!(
+            block
+                .common(&Stratum::of_box(3, &[5.0; 3], &[9.0; 3]))
+                .volume(),
+            0.0
+        );
     }
 
     #[test]

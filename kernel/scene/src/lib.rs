@@ -34,8 +34,8 @@ mod start_error;
 mod values;
 
 pub use values::{
-    Body, BodyEntry, Field, InitialStress, Location, MOST_CREEP, Material, NodalField, Probe,
-    ProbeTarget, ProbedQuantity, Problem, Results, Scene, SceneError, StateFile,
+    Body, BodyEntry, Field, InitialStress, Location, MOST_CREEP, Material, NodalField, Overburden,
+    Probe, ProbeTarget, ProbedQuantity, Problem, Results, Scene, SceneError, StateFile,
 };
 // What a scene is made of beside its own values.
 pub use proctor_contact::{

@@ -99,7 +99,8 @@ impl Units {
                 }
             }
             match &mut body.initial_stress {
-                InitialStress::None => {}
+                // No generated scene has ground below a surface.
+                InitialStress::None | InitialStress::Overburden(_) => {}
                 InitialStress::Isotropic(value) => *value *= self.stress(),
                 InitialStress::AtRest {
                     level, surcharge, ..

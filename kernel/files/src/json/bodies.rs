@@ -4,13 +4,14 @@ use super::build::Build;
 use super::keys::{RawBody, RawInitialStress, RawScene};
 use super::lists::{Counts, VectorOrTable};
 use super::materials::entry_path;
+use super::sheets::RawSheet;
 use super::words::listed;
 use proctor_scene::{Body, Dimension, History, InitialStress, Material, Mesh};
 
 impl Build<'_> {
     pub(super) fn bodies(
         &mut self,
-        raw: &RawScene,
+        raw_scene: &RawScene,
         mesh: &Mesh,
         materials: &[Material],
     ) -> Vec<Body> {
@@ -18,13 +19,13 @@ impl Build<'_> {
         if self.dimension == Dimension::Two {
             counts[2] = 1;
         }
-        if let Some(given) = &raw.particles_per_cell {
+        if let Some(given) = &raw_scene.particles_per_cell {
             counts = self.counts("particles_per_cell", given, counts);
         }
         let given = self.either(
             "",
-            ("body", raw.body.as_ref()),
-            ("bodies", raw.bodies.as_ref()),
+            ("body", raw_scene.body.as_ref()),
+            ("bodies", raw_scene.bodies.as_ref()),
         );
         let Some((key, entries)) = given else {
             self.missing("body", "a list or an object of bodies");
@@ -35,10 +36,14 @@ impl Build<'_> {
         let mut bodies = Vec::new();
         for (i, (name, raw)) in entries.0.iter().enumerate() {
             let path = entry_path(key, i, name.as_deref());
-            self.spelt(format!("bodies[{i}]"), path.clone());
             let name = name.clone().unwrap_or_else(|| path.clone());
-            bodies.push(self.body(&path, name, i, raw, counts, (mesh, materials)));
+            let body = self.body(&path, name, i, raw, counts, (mesh, materials));
+            for part in self.parts(&path, body, raw, (mesh, materials)) {
+                self.spelt(format!("bodies[{}]", bodies.len()), path.clone());
+                bodies.push(part);
+            }
         }
+        Self::number_parts(raw_scene, &mut bodies);
         bodies
     }
 
@@ -59,7 +64,12 @@ impl Build<'_> {
         Body {
             name,
             id: self.id(path, raw.id, i),
-            material: self.material_index(&key("material_id"), raw.material_id, materials),
+            // Each layer has its own.
+            material: if raw.layers.is_some() {
+                usize::MAX
+            } else {
+                self.material_index(&key("material_id"), raw.material_id, materials)
+            },
             shape: self.shape(path, raw, mesh),
             particles_per_cell,
             velocity: self.vector_or_zero(&key("initial_velocity"), raw.initial_velocity.as_ref()),
@@ -85,7 +95,7 @@ impl Build<'_> {
         for (name, given, of_rest) in [
             ("value", raw.value, false),
             ("ratio", raw.ratio, true),
-            ("level", raw.level, true),
+            ("level", raw.level.as_ref().map(|_| 0.0), true),
             ("surcharge", raw.surcharge, true),
         ] {
             if given.is_some() && kind == Some(!of_rest) {
@@ -104,7 +114,11 @@ impl Build<'_> {
             }
             Some(true) => InitialStress::AtRest {
                 ratio: self.number(&key("ratio"), raw.ratio, "a number, 0 or greater"),
-                level: self.number(&key("level"), raw.level, "a number [m]"),
+                // Where it is no number, the surface of the ground takes its place.
+                level: match raw.level {
+                    Some(RawSheet::Level(level)) => level,
+                    _ => 0.0,
+                },
                 surcharge: raw.surcharge.unwrap_or(0.0),
             },
         }
@@ -112,7 +126,7 @@ impl Build<'_> {
 
     /// Particles per cell and axis. The default stands in where they are wrong: there may be no place for them in
     /// the body.
-    fn counts(&mut self, path: &str, given: &Counts, default: [usize; 3]) -> [usize; 3] {
+    pub(super) fn counts(&mut self, path: &str, given: &Counts, default: [usize; 3]) -> [usize; 3] {
         let axes = self.dimension.axes();
         let mut counts = [1; 3];
         match given {
@@ -129,7 +143,12 @@ impl Build<'_> {
         counts
     }
 
-    fn material_index(&mut self, path: &str, id: Option<i64>, materials: &[Material]) -> usize {
+    pub(super) fn material_index(
+        &mut self,
+        path: &str,
+        id: Option<i64>,
+        materials: &[Material],
+    ) -> usize {
         let ids = || {
             materials
                 .iter()

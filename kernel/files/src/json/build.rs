@@ -1,6 +1,7 @@
 //! Building a scene from its keys: what is missing or contradicts itself is collected, and its place is taken by
 //! a value (NaN, nothing) that no check accepts, so that everything else is still checked.
 
+use std::collections::HashSet;
 use std::path::Path;
 
 use super::elsewhere;
@@ -14,6 +15,8 @@ pub(super) struct Build<'a> {
     pub folder: &'a Path,
     /// Number of dimensions.
     pub dimension: Dimension,
+    /// Identifiers of bodies that were divided into parts.
+    pub divided_bodies: Vec<i64>,
     problems: Vec<Problem>,
     /// Which of them say of a word or a choice that it is none, whatever else is in the scene.
     of_words: Vec<usize>,
@@ -28,6 +31,7 @@ impl<'a> Build<'a> {
         Self {
             folder,
             dimension: Dimension::Three,
+            divided_bodies: Vec::new(),
             problems: Vec::new(),
             of_words: Vec::new(),
             spellings: Vec::new(),
@@ -142,6 +146,11 @@ impl<'a> Build<'a> {
         accepted: impl Into<String>,
     ) {
         self.problems.push(Problem::new(path, found, accepted));
+    }
+
+    /// Number of problems so far.
+    pub fn problem_count(&self) -> usize {
+        self.problems.len()
     }
 
     /// Adds a hint to the last problem.
@@ -281,6 +290,7 @@ impl<'a> Build<'a> {
     pub fn merged(self, check: Result<(), SceneError>) -> (Vec<Problem>, Vec<(String, String)>) {
         let mut problems = self.problems;
         let built = problems.len();
+        let mut known = HashSet::new();
         for mut problem in check.err().map(|error| error.problems).unwrap_or_default() {
             problem.path = as_in_file(&problem.path, &self.spellings);
             let is_shadowed = problems[..built]
@@ -288,7 +298,9 @@ impl<'a> Build<'a> {
                 .map(|p| &p.path)
                 .chain(&self.stand_ins)
                 .any(|path| reaches(path, &problem.path) || reaches(&problem.path, path));
-            if !is_shadowed {
+            // The parts of one body have the same faults.
+            let is_new = known.insert((problem.path.clone(), problem.found.clone()));
+            if !is_shadowed && is_new {
                 problems.push(problem);
             }
         }

@@ -44,6 +44,15 @@ impl Build<'_> {
             );
             let master = self.body_of_pair(&key("master_id"), entry.master_id);
             let slave = self.body_of_pair(&key("slave_id"), entry.slave_id);
+            for (name, id) in [("master_id", master), ("slave_id", slave)] {
+                if id.is_some_and(|id| self.divided_bodies.contains(&id)) {
+                    self.add(
+                        key(name),
+                        "a body with layers or zones, which share one velocity field",
+                        "a body of one material",
+                    );
+                }
+            }
             if method == ContactMethod::Mortar {
                 let id = entry.id.unwrap_or(i as i64 + 1);
                 self.mortar_contact(&path, entry, id, friction, [master, slave], scene);

@@ -1,12 +1,14 @@
 //! The raw stage: from JSON text to a checked scene, with a place in the text for every problem.
 //! Other programs get a scene by [`fn@write`]; [`write_own`] has what only this one reads, too.
 
+mod at_rest;
 mod bodies;
 mod build;
 mod contact;
 mod elsewhere;
 mod glossary;
 mod keys;
+mod layers;
 mod lists;
 mod loads;
 mod material_keys;

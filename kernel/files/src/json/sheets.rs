@@ -96,7 +96,7 @@ impl Build<'_> {
     pub(super) fn sheet(&mut self, path: &str, raw: &RawSheet, range: &PlanRange) -> Option<Sheet> {
         let (sheet, of) = match raw {
             RawSheet::Level(level) => (Sheet::Level(*level), String::new()),
-            RawSheet::Line(points) => (self.line(path, points)?, String::new()),
+            RawSheet::Line(points) => (self.polyline(path, points)?, String::new()),
             RawSheet::File(name) => match terrain::read(&self.folder.join(name), self.dimension) {
                 Ok(sheet) => (sheet, format!("{name}: ")),
                 Err(error) => {
@@ -125,7 +125,7 @@ impl Build<'_> {
         None
     }
 
-    fn line(&mut self, path: &str, points: &[Vec<f64>]) -> Option<Sheet> {
+    fn polyline(&mut self, path: &str, points: &[Vec<f64>]) -> Option<Sheet> {
         if self.dimension == Dimension::Three {
             self.add(
                 path,

@@ -291,7 +291,7 @@ impl Writer {
         if let Some(motion) = &body.motion {
             keys["prescribed_velocity"] = self.rows(motion);
         }
-        match body.initial_stress {
+        match &body.initial_stress {
             InitialStress::None => {}
             InitialStress::Isotropic(value) => {
                 keys["initial_stress"] = json!({ "type": "isotropic", "value": value });
@@ -305,6 +305,7 @@ impl Writer {
                     "type": "at_rest", "ratio": ratio, "level": level, "surcharge": surcharge,
                 });
             }
+            InitialStress::Overburden(_) => refuse(true, "stress at rest below a surface")?,
         }
         Ok(keys)
     }

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::path::Path;
 
 use crate::json::unreadable;
-use proctor_scene::{Dimension, History, Location, ParticleSeed, Problem, SceneError};
+use proctor_scene::{Dimension, History, Location, Problem, SceneError};
 
 /// More problems than this in one file say the same again.
 const MOST_PROBLEMS: usize = 10;
@@ -52,40 +52,8 @@ pub fn read(
     })
 }
 
-/// Reads a particle list: columns x, y, in three dimensions z, and volume; a header is found by looking.
-///
-/// # Errors
-/// As for [`read`], and volumes that are not greater than zero.
-pub fn read_particles(file: &Path, dimension: Dimension) -> Result<Vec<ParticleSeed>, SceneError> {
-    let names: &[&str] = match dimension {
-        Dimension::Two => &["x", "y", "volume"],
-        Dimension::Three => &["x", "y", "z", "volume"],
-    };
-    let mut table = Table::read(file, None, names)?;
-    let axes = dimension.axes();
-    for row in 0..table.rows.len() {
-        let volume = table.rows[row].numbers[axes];
-        if volume <= 0.0 {
-            let at = (table.rows[row].line, table.rows[row].columns[axes]);
-            table.add(
-                at,
-                format!("the volume {volume}"),
-                "a volume greater than 0 [m³]",
-            );
-        }
-    }
-    let rows = table.finish()?;
-    Ok(rows
-        .iter()
-        .map(|row| ParticleSeed {
-            position: padded(&row.numbers[..axes]),
-            volume: row.numbers[axes],
-        })
-        .collect())
-}
-
 /// Two or three components as a vector.
-fn padded(components: &[f64]) -> [f64; 3] {
+pub(super) fn padded(components: &[f64]) -> [f64; 3] {
     std::array::from_fn(|axis| components.get(axis).copied().unwrap_or(0.0))
 }
 
@@ -100,7 +68,9 @@ pub(crate) struct Row {
 pub(crate) struct Table<'a> {
     file: &'a Path,
     lines: usize,
-    rows: Vec<Row>,
+    /// Names of the columns, if the first row holds names.
+    pub header: Option<Vec<String>>,
+    pub rows: Vec<Row>,
     problems: Vec<Problem>,
 }
 
@@ -121,6 +91,7 @@ impl<'a> Table<'a> {
         let mut table = Self {
             file,
             lines: text.lines().count(),
+            header: None,
             rows: Vec::new(),
             problems: Vec::new(),
         };
@@ -155,7 +126,9 @@ impl<'a> Table<'a> {
             let columns = separator.columns(lines.get(line - 1).copied().unwrap_or(""));
             let is_header = is_first && self.is_header(&record, header, line, names);
             is_first = false;
-            if !is_header {
+            if is_header {
+                self.header = Some(record.iter().map(str::to_lowercase).collect());
+            } else {
                 self.take(&record, line, columns, names, separator);
             }
             if self.problems.len() >= MOST_PROBLEMS {
@@ -241,7 +214,7 @@ impl<'a> Table<'a> {
         }
     }
 
-    fn add(
+    pub fn add(
         &mut self,
         (line, column): (usize, usize),
         found: impl Into<String>,

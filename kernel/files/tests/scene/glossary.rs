@@ -76,6 +76,21 @@ fn with_body(scene: &mut Value, keys: &Value) {
     }
 }
 
+/// Two layers under gravity, and more keys of the body.
+fn layered(axes: usize, of_body: &Value) -> Value {
+    let mut scene = shaped(axes, &json!({"type": "between", "lower": 0, "upper": 1}));
+    scene["body"][0]
+        .as_object_mut()
+        .expect("a body")
+        .remove("material_id");
+    scene["body"][0]["layers"] = json!([{"material_id": 1, "base": 0.5}, {"material_id": 1}]);
+    let mut gravity = vec![0; axes];
+    gravity[axes - 1] = -10;
+    scene["gravity"] = gravity.into();
+    with_body(&mut scene, of_body);
+    scene
+}
+
 /// The block of a material with more keys.
 fn of_material(axes: usize, keys: &Value) -> Value {
     let mut scene = block(axes);
@@ -151,6 +166,13 @@ fn bases() -> Vec<Value> {
                 axes,
                 &json!({"initial_stress": {"type": "at_rest", "ratio": 0.5, "level": 1}}),
                 &json!({"gravity": corner(axes, -10.0)}),
+            ),
+            layered(axes, &none),
+            layered(axes, &json!({"initial_stress": {"type": "at_rest", "ratio": 0.5}})),
+            with(
+                axes,
+                &json!({"zones": [{"point_p1": corner(axes, 0.0), "point_p2": upper(0.5), "particles_per_cell": 3}]}),
+                &none,
             ),
             of_material(axes, &json!({"type": "von_mises", "yield_stress": 1e6})),
             of_material(axes, &json!({"type": "von_mises", "yield_stress": 1e6, "hardening.curve": [[0.01, 1.2e6]]})),

@@ -6,6 +6,7 @@ mod bad_input;
 mod glossary;
 mod harmonic;
 mod keys;
+mod layers;
 mod manual;
 mod mortar;
 mod position;

@@ -123,3 +123,38 @@ fn faults_have_line_and_column() {
     shown.push(error.to_string());
     insta::assert_snapshot!(shown.join("\n"));
 }
+
+/// Rows in JSON, and a header with the columns in another order, are the same list.
+#[test]
+fn particles_come_as_json_and_by_the_names_of_a_header() {
+    let seeds = |text: &str, dimension| {
+        let (_folder, path) = written(text);
+        read_particles(&path, dimension)
+    };
+    let plain = seeds("0.25 0.5 0.1\n0.75 0.5 0.2\n", Dimension::Two).expect("a table");
+    for text in [
+        "[[0.25, 0.5, 0.1],\n [0.75, 0.5, 0.2]]\n",
+        "x,y,volume\n0.25,0.5,0.1\n0.75,0.5,0.2\n",
+        "Volume;Y;X\n0.1;0.5;0.25\n0.2;0.5;0.75\n",
+    ] {
+        assert_eq!(seeds(text, Dimension::Two).as_ref(), Ok(&plain), "{text}");
+    }
+    for (text, place) in [
+        (
+            "[[0, 0, 0, 1],\n [0, 0, 1, -1]]",
+            "2:2: found the volume -1",
+        ),
+        (
+            "[[0, 0, 0, 1],\n\n  [0, 0, 1]]",
+            "3:3: found a list of length 3",
+        ),
+        (
+            "[[0, 0, 0, 1], [0, \"a\", 0, 1]]",
+            "1:23: found invalid type",
+        ),
+        ("[[0, 0, 0, 1]", "1:13: found EOF"),
+    ] {
+        let error = seeds(text, Dimension::Three).expect_err(text).to_string();
+        assert!(error.contains(place), "{error}");
+    }
+}

@@ -2,6 +2,7 @@
 
 use super::bins::Bins;
 use super::{PlanPoint, PlanRange};
+use crate::number::fingerprint_of;
 use crate::shape::Vector;
 use std::fmt;
 
@@ -141,6 +142,10 @@ impl fmt::Debug for Facets {
         f.debug_struct("Facets")
             .field("triangles", &self.triangles.len())
             .field("extent", &self.extent())
+            .field(
+                "fingerprint",
+                &fingerprint_of(&self.corners, &self.triangles),
+            )
             .finish_non_exhaustive()
     }
 }

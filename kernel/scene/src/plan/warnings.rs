@@ -6,6 +6,7 @@ use proctor_kernel::model::{Damping, StressScheme, Transfer, TransferKind, Volum
 
 mod beside;
 mod between;
+mod ground;
 mod layer;
 mod light;
 mod places;
@@ -40,6 +41,7 @@ pub(super) fn warnings(scene: &Scene) -> Vec<String> {
     all.extend(light::at_sides(scene));
     all.extend(light::swings(scene));
     all.extend(between::at_nodes(scene));
+    all.extend(ground::overlaps(scene));
     all.extend(strain::large_strain(scene));
     all.extend(super::tension::warnings(scene));
     for material in &scene.materials {

@@ -35,7 +35,7 @@ pub(super) fn set(
     for p in 0..set.len() {
         let local = set.position(p);
         let x: Vector = std::array::from_fn(|axis| local[axis] + scene.mesh.origin[axis]);
-        let stress = (body.initial_stress).at(&x, &scene.gravity, material.density);
+        let stress = (body.initial_stress).at(&x, &scene.gravity, material.density, axes);
         let beyond = beyond(&mut point, &stress);
         if beyond > worst.as_ref().map_or(0.0, |worst| worst.by) {
             worst = Some(YieldExcess {

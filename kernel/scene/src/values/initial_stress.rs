@@ -1,9 +1,10 @@
 //! Stress that a body has at the start.
 
+use super::Overburden;
 use proctor_kernel::model::Vector;
 
 /// Stress of a body at the start; tension is positive.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub enum InitialStress {
     /// None.
     #[default]
@@ -19,17 +20,19 @@ pub enum InitialStress {
         /// Pressure on the surface \[Pa\].
         surcharge: f64,
     },
+    /// Ground at rest below a surface that need not be level, in layers.
+    Overburden(Overburden),
 }
 
 impl InitialStress {
-    /// The stress xx, yy, zz, yz, xz, xy at a point \[Pa\], for gravity \[m/s²\] along one axis and a density \[kg/m³\]; above
-    /// the surface there is none.
+    /// The stress xx, yy, zz, yz, xz, xy at a point \[Pa\], for gravity \[m/s²\] along one axis of so many and a density
+    /// \[kg/m³\]; above the surface there is none.
     #[must_use]
-    pub fn at(&self, x: &Vector, gravity: &Vector, density: f64) -> [f64; 6] {
-        match *self {
+    pub fn at(&self, x: &Vector, gravity: &Vector, density: f64, axes: usize) -> [f64; 6] {
+        match self {
             Self::None => [0.0; 6],
-            Self::Isotropic(stress) => [stress, stress, stress, 0.0, 0.0, 0.0],
-            Self::AtRest {
+            &Self::Isotropic(stress) => [stress, stress, stress, 0.0, 0.0, 0.0],
+            &Self::AtRest {
                 ratio,
                 level,
                 surcharge,
@@ -45,6 +48,7 @@ impl InitialStress {
                 stress[axis] = along;
                 stress
             }
+            Self::Overburden(overburden) => overburden.at(x, gravity, axes),
         }
     }
 }

@@ -12,6 +12,7 @@ mod error;
 mod initial_stress;
 mod material;
 mod mortar;
+mod overburden;
 mod results;
 mod state_file;
 
@@ -21,6 +22,7 @@ pub use error::{Location, Problem, SceneError};
 pub use initial_stress::InitialStress;
 pub use material::Material;
 pub use mortar::MOST_CREEP;
+pub use overburden::Overburden;
 pub use results::{Field, NodalField, Probe, ProbeTarget, ProbedQuantity, Results};
 pub use state_file::StateFile;
 

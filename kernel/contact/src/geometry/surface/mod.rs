@@ -15,6 +15,7 @@ pub use error::{SurfaceError, SurfaceErrorKind};
 pub use nearest::{Feature, NearestPoint};
 pub use topology::OpenEdges;
 
+use proctor_kernel::number::fingerprint_of;
 use std::fmt;
 use tree::Tree;
 
@@ -162,16 +163,7 @@ impl Surface {
 
     /// Hash of vertices and triangles, so that two surfaces can be told apart without printing them.
     fn fingerprint(&self) -> u64 {
-        let words = self
-            .vertices
-            .iter()
-            .flatten()
-            .map(|x| x.to_bits())
-            .chain(self.triangles.iter().flatten().map(|v| u64::from(*v)));
-        words.fold(0xcbf2_9ce4_8422_2325, |hash, word| {
-            let hash = (hash ^ word).wrapping_mul(0x0000_0100_0000_01b3);
-            hash ^ (hash >> 32)
-        })
+        fingerprint_of(&self.vertices, &self.triangles)
     }
 }
 

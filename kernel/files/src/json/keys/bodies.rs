@@ -6,6 +6,8 @@ use serde::Deserialize;
 use crate::json::lists::{Comment, Counts, VectorOrTable};
 use crate::json::sheets::RawSheet;
 
+use super::{RawLayer, RawZone};
+
 /// A body. Which keys its shape needs depends on its type.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, expecting = "an object with the keys of a body")]
@@ -24,7 +26,7 @@ pub(in crate::json) struct RawBody {
     #[schemars(extend("x-needed" = true, "examples" = [1]))]
     pub id: Option<i64>,
     /// Identifier of the material.
-    #[schemars(extend("x-needed" = true, "examples" = [1]))]
+    #[schemars(extend("x-needs" = "no `layers`", "x-needed" = true, "examples" = [1]))]
     pub material_id: Option<i64>,
     /// Lower corner of a cuboid or rectangle; centre of the first end face of a cylinder.
     #[schemars(extend(
@@ -95,6 +97,21 @@ pub(in crate::json) struct RawBody {
         "examples" = [[[0, 1]], [[0, 1], [0, 1]]]
     ))]
     pub plan: Option<Vec<Vec<f64>>>,
+    /// Layers of the body from the top to the bottom. Each becomes a body of its own; all move as one.
+    #[schemars(extend(
+        "x-needs" = "`type` \"between\", \"rectangle\" or \"cuboid\"", "x-default" = "one material",
+        "examples" = [[{"material_id": 1, "base": 0.5}, {"material_id": 1}]]
+    ))]
+    pub layers: Option<Vec<RawLayer>>,
+    /// Boxes of the body with another material or other particles. Each becomes a body of its own; all move as one.
+    #[schemars(extend(
+        "x-needs" = "`type` \"between\", \"rectangle\" or \"cuboid\"", "x-default" = "none",
+        "examples" = [
+            [{"point_p1": [0, 0], "point_p2": [0.5, 0.5], "material_id": 1}],
+            [{"point_p1": [0, 0, 0], "point_p2": [0.5, 0.5, 0.5], "particles_per_cell": 3}]
+        ]
+    ))]
+    pub zones: Option<Vec<RawZone>>,
     /// STL file with the closed surface of a solid.
     #[schemars(extend(
         "x-needs" = "`type` \"solid\"", "x-needed" = true, "x-file" = true, "examples" = ["block.stl"]
@@ -106,8 +123,8 @@ pub(in crate::json) struct RawBody {
         "examples" = [[[0.25, 0.25, 0.25], [0.75, 0.25, 0.25]], [[0.25, 0.25, 0.25, 0.125], [0.75, 0.25, 0.25, 0.125]]]
     ))]
     pub particles: Option<Vec<Vec<f64>>>,
-    /// Particles from a text file with the columns x, y, z, volume, separated by `,`, `;`, tabs or blanks; a path relative to
-    /// the folder of the scene.
+    /// Particles from a file: a table with the columns x, y, z, volume, separated by `,`, `;`, tabs or blanks, or rows of
+    /// these numbers in JSON; a path relative to the folder of the scene.
     #[schemars(extend(
         "x-unit" = "m, m³", "x-needs" = "`type` \"particles\" without `particles`", "x-needed" = true, "x-file" = true,
         "examples" = ["particles.csv"]
@@ -187,11 +204,14 @@ pub(in crate::json) struct RawInitialStress {
         "x-unit" = "1", "x-needs" = "`type` \"at_rest\"", "x-needed" = true, "minimum" = 0, "examples" = [0.5]
     ))]
     pub ratio: Option<f64>,
-    /// Coordinate of the surface along gravity.
+    /// Surface of the ground: its coordinate along gravity, or a surface in the forms of `lower` of the body. The weight
+    /// above a point is then that of the layers of the body below this surface.
     #[schemars(extend(
-        "x-unit" = "m", "x-needs" = "`type` \"at_rest\"", "x-needed" = true, "examples" = [2]
+        "x-unit" = "m", "x-needs" = "`type` \"at_rest\"", "x-file" = true,
+        "x-default" = "the upper surface of a body of type \"between\" or with layers, else needed",
+        "examples" = [2, [[0, 1], [2, 1.5]]]
     ))]
-    pub level: Option<f64>,
+    pub level: Option<RawSheet>,
     /// Pressure on the surface.
     #[schemars(extend(
         "x-unit" = "Pa", "x-needs" = "`type` \"at_rest\"", "default" = 0, "minimum" = 0, "examples" = [1e4]

@@ -18,6 +18,7 @@
 
 mod bodies;
 mod contact;
+mod ground;
 mod mesh;
 
 use schemars::JsonSchema;
@@ -34,6 +35,7 @@ pub(super) use self::bodies::{
 pub(super) use self::contact::{
     RawContact, RawContactManager, RawRigidLine, RawRigidSurface, RawTerrainContact,
 };
+pub(super) use self::ground::{RawLayer, RawZone};
 pub(super) use self::mesh::{RawEarthquake, RawMesh, RawPlanes};
 
 /// A scene: what is simulated, in SI units.

@@ -75,12 +75,12 @@ fn check_initial_stress(scene: &Scene, body: &Body, path: &str, problems: &mut C
             "no `initial_stress`, or another material",
         );
     }
-    match body.initial_stress {
+    match &body.initial_stress {
         InitialStress::None => {}
-        InitialStress::Isotropic(stress) => {
+        &InitialStress::Isotropic(stress) => {
             problems.finite(format!("{path}.value"), stress);
         }
-        InitialStress::AtRest {
+        &InitialStress::AtRest {
             ratio,
             level,
             surcharge,
@@ -93,6 +93,19 @@ fn check_initial_stress(scene: &Scene, body: &Body, path: &str, problems: &mut C
                     path,
                     "ground at rest without gravity along one axis",
                     "`gravity` with one component that is not zero, or `type` \"isotropic\"",
+                );
+            }
+        }
+        InitialStress::Overburden(overburden) => {
+            problems.not_negative(format!("{path}.ratio"), overburden.ratio);
+            problems.not_negative(format!("{path}.surcharge"), overburden.surcharge);
+            let last = scene.dimension.axes() - 1;
+            if axis_of(&scene.gravity) != Some(last) || scene.gravity[last] > 0.0 {
+                let axis = ["x", "y", "z"][last];
+                problems.add(
+                    path,
+                    format!("ground at rest below a surface without gravity along -{axis} alone"),
+                    format!("`gravity` with a negative component along {axis} and no other"),
                 );
             }
         }
