@@ -107,9 +107,13 @@ impl Sources {
         for file in files {
             let name = file.to_string_lossy().replace('\\', "/");
             let digest = parts.entry(part(&name)).or_insert(Digest::NOTHING);
-            *digest = digest
-                .with(name.as_bytes())
-                .with(&std::fs::read(root.join(&file))?);
+            let bytes = std::fs::read(root.join(&file))?;
+            let code = if name.ends_with(".rs") {
+                without_comments(&bytes)
+            } else {
+                bytes
+            };
+            *digest = digest.with(name.as_bytes()).with(&code);
         }
         Ok(Self { parts })
     }
@@ -134,6 +138,21 @@ impl Sources {
                     .with(of_part.to_string().as_bytes())
             })
     }
+}
+
+/// Rust source without its blank lines and those that are comments alone: they make no instruction.
+fn without_comments(source: &[u8]) -> Vec<u8> {
+    let is_code = |line: &&[u8]| {
+        let line = line.trim_ascii_start();
+        !line.is_empty() && !line.starts_with(b"//")
+    };
+    let lines = source.split(|byte| *byte == b'\n').filter(is_code);
+    let mut code = vec![];
+    for line in lines {
+        code.extend_from_slice(line);
+        code.push(b'\n');
+    }
+    code
 }
 
 /// The part of a file, by its path below the workspace.

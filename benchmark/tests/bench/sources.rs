@@ -120,6 +120,19 @@ fn what_is_in_no_counted_program_is_no_change() {
     }
 }
 
+/// Words make no instruction; in a manifest every line counts.
+#[test]
+fn comments_are_no_change() {
+    let file = "kernel/src/lib.rs";
+    let text = file.to_owned();
+    let commented = format!("//! The cycle.\n\n  /// A stage.\n{text}\n// Why.\n");
+    assert_eq!(again(|root| write(root, file, &commented)), NONE);
+    let code = format!("//! The cycle.\n{text} // a word behind code\n");
+    assert_eq!(again(|root| write(root, file, &code)), ALL);
+    let manifest = "# a word\nCargo.toml";
+    assert_eq!(again(|root| write(root, "Cargo.toml", manifest)), ALL);
+}
+
 #[test]
 fn compiler_scene_and_the_manner_of_counting_are_in_the_digest() {
     let root = workspace();

@@ -150,7 +150,8 @@ fn particles_come_as_json_and_by_the_names_of_a_header() {
         ),
         (
             "[[0, 0, 0, 1], [0, \"a\", 0, 1]]",
-            "1:23: found invalid type",
+            // How serde_json counts the column depends on its features.
+            "found invalid type: string \"a\"",
         ),
         ("[[0, 0, 0, 1]", "1:13: found EOF"),
     ] {
