@@ -1,8 +1,8 @@
 //! Enclosed bodies: the inside of a closed surface of triangles.
 
 use crate::number::fingerprint_of;
-use crate::shape::Vector;
 use crate::sheet::{Bins, PlanPoint, rectangle};
+use crate::vector::Vector;
 use std::fmt;
 
 /// The inside of a closed surface: a point lies inside if a ray from it meets the surface an odd number of times.

@@ -17,3 +17,4 @@ pub mod sheet;
 pub mod solid;
 pub mod stratum;
 pub mod team;
+pub mod vector;

@@ -4,8 +4,7 @@ use crate::enclosed::Enclosed;
 use crate::stratum::Stratum;
 use std::sync::Arc;
 
-/// A vector in SI units, in axis order x, y, z. In two dimensions the third component is zero.
-pub type Vector = [f64; 3];
+pub use crate::vector::Vector;
 
 /// Number of space dimensions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,7 +1,8 @@
 //! Strata: the ground between sheets, over a rectangle of the plan.
 
-use crate::shape::Vector;
 use crate::sheet::{PlanPoint, PlanRange, Sheet, clip, overlay, polygon_area};
+use crate::vector::Vector;
+use std::sync::Arc;
 
 /// The ground above all of some sheets and below all of others, less some boxes. Heights are along the last axis.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,6 +14,8 @@ pub struct Stratum {
     without: Vec<[Vector; 2]>,
     volume: f64,
     extremes: [Vector; 2],
+    /// The ground of which it is a part.
+    whole: Option<Arc<Self>>,
 }
 
 impl Stratum {
@@ -51,6 +54,7 @@ impl Stratum {
                 without,
                 volume: 0.0,
                 extremes: [[0.0; 3]; 2],
+                whole: None,
             };
         }
         let of = |sheets: &[Sheet], side: usize, sign: f64| {
@@ -68,6 +72,7 @@ impl Stratum {
             without,
             volume,
             extremes,
+            whole: None,
         }
     }
 
@@ -89,7 +94,11 @@ impl Stratum {
             upper.push(Sheet::Level(p2[self.axes - 1]));
         }
         let without = [&self.without[..], outside].concat();
-        Self::from_parts(self.axes, range, lower, upper, without)
+        let whole = self.whole.clone().unwrap_or_else(|| Arc::new(self.clone()));
+        Self {
+            whole: Some(whole),
+            ..Self::from_parts(self.axes, range, lower, upper, without)
+        }
     }
 
     /// The ground that also lies in another stratum.
@@ -131,6 +140,12 @@ impl Stratum {
         } else {
             [at[0], at[1], height]
         })
+    }
+
+    /// The ground of which it is a part, or itself.
+    #[must_use]
+    pub fn whole(&self) -> &Self {
+        self.whole.as_deref().unwrap_or(self)
     }
 
     /// Number of axes, 2 or 3.
@@ -198,7 +213,8 @@ impl Stratum {
         let mut parts = vec![[low, high]];
         for [p1, p2] in &self.without {
             let range = plan_of(self.axes, p1, p2);
-            if (0..2).any(|axis| !inside(range[axis], at[axis])) {
+            // A point on a side of the box lies outside.
+            if (0..2).any(|axis| at[axis] <= range[axis][0] || range[axis][1] <= at[axis]) {
                 continue;
             }
             let [bottom, top] = [p1, p2].map(|corner| corner[self.axes - 1]);
@@ -232,6 +248,7 @@ impl Stratum {
                 .collect(),
             volume: self.volume,
             extremes: [moved(&self.extremes[0]), moved(&self.extremes[1])],
+            whole: (self.whole.as_ref()).map(|whole| Arc::new(whole.relative_to(origin))),
         }
     }
 }

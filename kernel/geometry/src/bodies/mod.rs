@@ -8,6 +8,7 @@
 //! - Every other shape takes the sub-cell centres of the mesh that lie strictly inside it. A centre on the
 //!   surface, within round-off, is outside: the rule is the same for mirrored and turned shapes, and two
 //!   bodies that touch never hold the same point twice.
+//!   The particles of all parts of ground between sheets have one volume.
 //! - A particle list is taken as given.
 //!
 //! Volumes sum to the exact volume of the shape. Particles come in lexicographic order of position, the first

@@ -3,7 +3,7 @@
 use super::bins::Bins;
 use super::{PlanPoint, PlanRange};
 use crate::number::fingerprint_of;
-use crate::shape::Vector;
+use crate::vector::Vector;
 use std::fmt;
 
 /// Share of the square of its longest side below which a triangle has no area in plan.

@@ -12,7 +12,7 @@ pub use facets::Facets;
 pub(crate) use facets::rectangle;
 pub(crate) use overlay::{clip, overlay, polygon_area};
 
-use crate::shape::Vector;
+use crate::vector::Vector;
 use std::sync::Arc;
 
 /// A point of the plan \[m\].
