@@ -135,6 +135,22 @@ const TEMPLATES: &[Template] = &[
         ],
     },
     Template {
+        name: "terrain",
+        what: "a slope of three layers under a terrain begins with the stress of its own weight",
+        text: include_str!("../../templates/terrain.json"),
+        beside: Some(("terrain.csv", include_str!("../../templates/terrain.csv"))),
+        stage: "",
+        field: "Stress_YY",
+        change: &[
+            (
+                "upper",
+                "your own terrain, rows of x and y; in three dimensions a raster",
+            ),
+            ("layers", "another base, or one layer more"),
+            ("cohesion", "3000 in the fill: its face slides"),
+        ],
+    },
+    Template {
         name: "sand",
         what: "a column of sand collapses and spreads on rough ground: Mohr-Coulomb",
         text: include_str!("../../templates/sand.json"),

@@ -1,5 +1,7 @@
 //! `proctor plan`: what a scene needs.
 
+mod ground;
+
 use super::stages;
 use crate::exit::{Failure, Outcome};
 use crate::say::say;
@@ -78,6 +80,9 @@ fn show(scene: &Scene, places: &SourceMap, out: &mut dyn Write) -> Result<(), Fa
         ]);
     }
     write!(out, "\n{table}")?;
+    if let Some(table) = ground::volumes(scene, &simulation) {
+        write!(out, "\n{table}")?;
+    }
     let axes = scene.dimension.axes();
     let nodes: u64 = scene.mesh.cells[..axes]
         .iter()
@@ -92,5 +97,8 @@ fn show(scene: &Scene, places: &SourceMap, out: &mut dyn Write) -> Result<(), Fa
         bytes(active * plan.bytes_per_node() as u64),
     ]);
     write!(out, "\n{table}")?;
+    if let Some(line) = ground::imbalance(scene).map_err(Failure::BadInput)? {
+        writeln!(out, "\n{line}")?;
+    }
     Ok(())
 }
