@@ -14,6 +14,7 @@ mod progress;
 pub mod record;
 pub mod refine;
 pub mod report;
+pub mod runs;
 mod say;
 pub mod show;
 pub mod stability;

@@ -288,13 +288,29 @@ fn html_of(chart: &Chart, caption: &str) -> String {
         let x = chart.x.format.written(point.x);
         table.push([point.title.replace('\n', ", "), x, y]);
     }
+    let numbers = format!(
+        "<details class=\"numbers\"><summary>the numbers</summary>\n{}</details>\n",
+        table.html()
+    );
+    figure(chart, caption, &numbers)
+}
+
+fn figure(chart: &Chart, caption: &str, more: &str) -> String {
     format!(
-        "<figure>\n{}\n<figcaption>{}</figcaption>\n<details class=\"numbers\"><summary>the numbers</summary>\n{}\
-         </details>\n</figure>\n",
+        "<figure>\n{}\n<figcaption>{}</figcaption>\n{more}</figure>\n",
         chart.to_svg(),
         escape(caption),
-        table.html()
     )
+}
+
+/// Pictures side by side where the page is wide enough, without the numbers behind them, which a file beside the page has.
+#[must_use]
+pub fn drawn(charts: &[Chart]) -> String {
+    let inner: String = charts
+        .iter()
+        .map(|chart| figure(chart, &chart.description, ""))
+        .collect();
+    format!("<div class=\"pair\">\n{inner}</div>\n")
 }
 
 #[cfg(test)]

@@ -18,6 +18,7 @@ mod mill;
 mod packed;
 mod plans;
 mod refined;
+mod runs;
 mod since;
 mod speed;
 mod stability;
@@ -27,6 +28,7 @@ mod whole;
 
 use crate::history::History;
 use crate::record::Record;
+use crate::runs::RunFolder;
 pub(crate) use html::escape;
 use html::{Pictures, Section};
 pub use mill::MillResult;
@@ -67,20 +69,46 @@ pub fn page_with(
     .into_iter()
     .flatten()
     .collect();
+    let head = format!(
+        "<h1>Proctor <small>accuracy, stability and speed of a material point method (MPM) program</small></h1>\n\
+         <p class=\"whence soft\">{}</p>\n{}{}",
+        verdict::whence(record),
+        verdict::html(record, since),
+        glance::html(record, since),
+    );
+    let foot = "Every number of this page is in the record beside it; <code>proctor report RECORD</code> makes the page again.";
+    framed(verdict::of(record, since).word(), &head, &sections, foot)
+}
+
+/// The page of runs of one scene: how they ended, how far they are apart, their histories as curves.
+#[must_use]
+pub fn page_of_runs(runs: &[RunFolder]) -> String {
+    let scene = runs.first().map_or("", |run| run.summary.scene.as_str());
+    let head = format!(
+        "<h1>{} <small>{}</small></h1>\n",
+        escape(scene),
+        if runs.len() == 1 {
+            "a run"
+        } else {
+            "runs of one scene"
+        }
+    );
+    let foot = "Every number of this page is in <code>summary.json</code> and <code>history.csv</code> of the folders.";
+    framed(scene, &head, &runs::sections(runs), foot)
+}
+
+/// A page: what stands above, an index of the sections, the sections, and what stands below.
+fn framed(title: &str, head: &str, sections: &[Section], foot: &str) -> String {
     let mut html = format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <title>Proctor: {}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n\
          <a class=\"skip\" href=\"#content\">to the results</a>\n<header>\n\
-         <h1>Proctor <small>accuracy, stability and speed of a material point method (MPM) program</small></h1>\n\
-         <p class=\"whence soft\">{}</p>\n{}{}\
+         {head}\
          <nav aria-label=\"sections\"><ul>\n",
-        escape(verdict::of(record, since).word()),
-        verdict::whence(record),
-        verdict::html(record, since),
-        glance::html(record, since),
+        escape(title),
     );
-    for section in &sections {
+    for section in sections {
         let _ = writeln!(
             html,
             "<li><a href=\"#{}\">{}</a></li>",
@@ -89,7 +117,7 @@ pub fn page_with(
         );
     }
     html.push_str("</ul></nav>\n</header>\n<main id=\"content\">\n");
-    for section in &sections {
+    for section in sections {
         let _ = write!(
             html,
             "<section aria-labelledby=\"{0}\">\n<h2 id=\"{0}\">{1}</h2>\n{2}</section>\n",
@@ -100,9 +128,7 @@ pub fn page_with(
     }
     let _ = write!(
         html,
-        "</main>\n<footer><p>SI units. Every number of this page is in the record beside it; \
-         <code>proctor report RECORD</code> makes the page again.</p></footer>\n\
-         <script>\n{SCRIPT}</script>\n</body>\n</html>\n"
+        "</main>\n<footer><p>SI units. {foot}</p></footer>\n<script>\n{SCRIPT}</script>\n</body>\n</html>\n"
     );
     html
 }

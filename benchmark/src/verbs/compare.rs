@@ -1,16 +1,20 @@
-//! `proctor compare`: two records, judged.
+//! `proctor compare`: two records, judged, or two runs of one scene beside each other.
 
 use crate::exit::{Failure, Outcome};
 use crate::judge::ledger::Ledger;
 use crate::judge::{self, Rules, Verdict};
 use crate::record::Record;
+use crate::runs::{RunComparison, RunFolder, is_run};
 use crate::show::comparison as show;
+use crate::show::runs::Compared;
 use clap::Args;
 use proctor_files::output::atomic;
 use std::io::Write;
 use std::path::PathBuf;
 
-/// Compare two records: results bit by bit, counts nearly exactly, times by pairs of runs.
+/// Compare two records, judged; or two runs of one scene, their ends and histories beside each other.
+///
+/// Of records: results bit by bit, counts nearly exactly, times by pairs of runs.
 ///
 /// Results are the same on every machine. Errors, orders, balances, figures, gates and hashes that differ are listed; what
 /// is worse by more than 1e-6 of itself fails, however fast it has become, and so do a gate that became looser, a new case
@@ -27,17 +31,24 @@ use std::path::PathBuf;
 /// measured in one pass the times are left out, and the output says so.
 ///
 /// BASE and HEAD are records, or folders of records: one pass per sub-folder, or per file where there are none.
+///
+/// Or they are folders that `proctor run` wrote. Then it shows counts and energies at the end, and for each column of the
+/// histories the largest difference, head less base, and when that was. Nothing is judged: the exit code is 0.
 #[derive(Args)]
 #[command(
     after_help = "Example: proctor verify --quick --json base.json, then after a change\n  \
     proctor verify --quick --json head.json && proctor compare base.json head.json --ignore-time\n\
-    Two commits, with times, in one go: scripts/compare-commits HEAD~1"
+    Two commits, with times, in one go: scripts/compare-commits HEAD~1\n\
+    Two runs: proctor run column.json --out a; proctor run column.json --out b --threads 2; proctor compare a b"
 )]
 pub struct Compare {
-    /// Record before the change, or a folder of records
+    /// Record before the change, or a folder of records; or the folder of a run
     base: PathBuf,
-    /// Record after it
+    /// Record after it; or the folder of another run
     head: PathBuf,
+    /// Compare runs of scenes that differ in name, such as two meshes of one problem
+    #[arg(long)]
+    any_scene: bool,
     /// Write the table for a pull request, as Markdown
     #[arg(long, value_name = "FILE")]
     markdown: Option<PathBuf>,
@@ -60,6 +71,9 @@ pub struct Compare {
 
 impl Compare {
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
+        if is_run(&self.base) || is_run(&self.head) {
+            return self.runs(out);
+        }
         let base = Record::read_joined(&self.base).map_err(Failure::bad_input)?;
         let head = Record::read_joined(&self.head).map_err(Failure::bad_input)?;
         let noise = self.noise.as_deref().map(Record::read).transpose();
@@ -90,5 +104,18 @@ impl Compare {
             Verdict::Worse => Outcome::Failed,
             Verdict::CannotCompare => Outcome::CannotCompare,
         })
+    }
+
+    /// Two runs beside each other.
+    fn runs(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
+        let paths = [self.base.clone(), self.head.clone()];
+        let runs = RunFolder::read_all(&paths, self.any_scene).map_err(Failure::BadInput)?;
+        let comparison = RunComparison::new(&runs[0], &runs[1]);
+        let compared = Compared {
+            runs: &runs,
+            comparison: &comparison,
+        };
+        write!(out, "{compared}")?;
+        Ok(Outcome::Fine)
     }
 }

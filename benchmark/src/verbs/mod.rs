@@ -15,6 +15,7 @@ mod main_job;
 mod names;
 mod new;
 mod noise;
+mod picture;
 mod plan;
 mod precision;
 mod refine;
@@ -45,6 +46,8 @@ pub enum Verb {
     Run(run::Run),
     /// Show what a scene needs, what is left out, and why.
     Plan(plan::Plan),
+    /// Draw the particles of a run, coloured by a field, and its histories.
+    Picture(picture::Picture),
     /// Run verification cases: errors, observed orders, gates.
     Verify(verify::Verify),
     /// Show the error against the run time, for every case with an exact solution.
@@ -59,9 +62,9 @@ pub enum Verb {
     Bench(bench::Bench),
     /// Run other solvers on all open cases, in one table and one picture.
     Arena(arena::Arena),
-    /// Write a record as a self-contained HTML page.
+    /// Write a record, or runs of one scene, as a self-contained HTML page.
     Report(report::Report),
-    /// Compare two records: results bit by bit, counts nearly exactly, times by pairs of runs.
+    /// Compare two records, judged; or two runs of one scene.
     Compare(compare::Compare),
     /// Judge frames that a solver left on a case, without running it.
     Judge(judge::Judge),
@@ -85,6 +88,7 @@ pub fn run(verb: Option<&Verb>, amount: Amount, out: &mut dyn Write) -> Result<O
         Some(Verb::Keys(keys)) => keys.run(out),
         Some(Verb::Run(run)) => run.run(out),
         Some(Verb::Plan(plan)) => plan.run(out),
+        Some(Verb::Picture(picture)) => picture.run(out),
         Some(Verb::Verify(verify)) => verify.run(out),
         Some(Verb::Precision(precision)) => precision.run(out),
         Some(Verb::Refine(refine)) => refine.run(out),

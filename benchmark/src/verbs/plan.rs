@@ -1,12 +1,15 @@
 //! `proctor plan`: what a scene needs.
 
+mod forecast;
 mod ground;
 
+use super::settings::bounded;
 use super::stages;
 use crate::exit::{Failure, Outcome};
 use crate::say::say;
 use crate::show::{Table, bytes, grouped};
 use clap::Args;
+use forecast::Forecast;
 use proctor_files::json::SourceMap;
 use proctor_kernel::memory::{Memory, words};
 use proctor_scene::Scene;
@@ -14,9 +17,12 @@ use proctor_scene::simulation::{Options, Simulation, estimate_memory};
 use std::io::Write;
 use std::path::PathBuf;
 
-/// Show what a scene needs, what is left out, and why.
+/// Show what a scene needs, what is left out, and why; and what a run will take.
 ///
-/// Nothing is run or written. The bodies are filled with particles, so that every fault of the scene shows.
+/// Nothing is written. The bodies are filled with particles, so that every fault of the scene shows. Its first steps are taken,
+/// for a quarter of a second or at least five: from these come the time step and what rules it, the number of steps and the run
+/// time. Number of steps and bytes of frames and checkpoint are exact where the time step is constant; else they hold as long as
+/// the step stays.
 #[derive(Args)]
 #[command(after_help = "Example: proctor plan fixtures/scenes/manual/boussinesq.json")]
 pub struct Plan {
@@ -33,6 +39,9 @@ impl Plan {
             if number > 0 {
                 writeln!(out)?;
             }
+            if let Some(threads) = stage.scene.threads {
+                bounded(&format!("{}: n_threads", self.scene.display()), threads)?;
+            }
             show(&stage.scene, &stage.places, out)?;
         }
         Ok(Outcome::Fine)
@@ -41,10 +50,7 @@ impl Plan {
 
 /// Shows the plan of a scene, or of one stage.
 fn show(scene: &Scene, places: &SourceMap, out: &mut dyn Write) -> Result<(), Failure> {
-    let options = Options {
-        threads: Some(1),
-        ..Options::default()
-    };
+    let options = Options::default();
     let asked = estimate_memory(scene);
     if asked.bytes > LARGE {
         say!(
@@ -55,7 +61,7 @@ fn show(scene: &Scene, places: &SourceMap, out: &mut dyn Write) -> Result<(), Fa
             words(Memory::of_machine().bytes() as f64)
         );
     }
-    let simulation = Simulation::new(scene, &options)
+    let mut simulation = Simulation::new(scene, &options)
         .map_err(|error| Failure::BadInput(places.of_setup(&error)))?;
     let plan = simulation.plan();
     writeln!(out, "scene {}", scene.name)?;
@@ -100,5 +106,7 @@ fn show(scene: &Scene, places: &SourceMap, out: &mut dyn Write) -> Result<(), Fa
     if let Some(line) = ground::imbalance(scene).map_err(Failure::BadInput)? {
         writeln!(out, "\n{line}")?;
     }
+    let forecast = Forecast::new(scene, places, &mut simulation);
+    write!(out, "\n{forecast}")?;
     Ok(())
 }

@@ -2,6 +2,7 @@
 
 mod report;
 
+use super::picture::draw_last;
 use super::settings::{Settings, bounded};
 use super::stages;
 use crate::exit::{Failure, Outcome};
@@ -16,6 +17,7 @@ use proctor_files::output::{OutputFolder, Summary};
 use proctor_files::run::{Run as KernelRun, RunControl, RunError};
 use proctor_scene::simulation::{Bound, StepInfo};
 use report::Report;
+pub(super) use report::row;
 use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -38,6 +40,9 @@ pub struct Run {
     /// Folder for the results; created if it does not exist
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
+    /// Draw the last frame and the histories when the run is over, as `proctor picture` does
+    #[arg(long, requires = "out")]
+    picture: bool,
     #[command(flatten)]
     settings: Settings,
     /// Checkpoint of the same scene to go on from
@@ -140,6 +145,16 @@ impl Run {
                 folder: run.folder().map(OutputFolder::path),
             }
         )?;
+        if let (true, Some(folder)) = (self.picture, run.folder()) {
+            match draw_last(folder.path()) {
+                Ok(files) => {
+                    for path in files {
+                        writeln!(out, "picture in {}", path.display())?;
+                    }
+                }
+                Err(error) => say!("no picture: {error}"),
+            }
+        }
         Ok(match summary.status {
             Status::Interrupted => interrupt.outcome(),
             Status::Finished if written => Outcome::Fine,
@@ -178,7 +193,7 @@ fn drive(run: &mut KernelRun, tally: &mut Tally, interrupt: &Interrupt) -> Optio
         });
         tally.particle_steps += particles as f64 * (run.simulation().steps() - before) as f64;
         if let Err(error) = advanced {
-            return Some(error.into());
+            return Some(error);
         }
         if interrupt.raised() {
             return None;
@@ -202,7 +217,7 @@ fn save(summary: &Summary, folder: Option<&OutputFolder>) -> bool {
     }
 }
 
-fn bound_words(bound: Bound) -> &'static str {
+pub(super) fn bound_words(bound: Bound) -> &'static str {
     match bound {
         Bound::Stability => "by the stability bound",
         Bound::Travel => "so that nothing crosses half a cell",

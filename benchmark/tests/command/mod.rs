@@ -21,6 +21,7 @@ mod keys;
 mod memory;
 mod mill;
 mod new;
+mod picture;
 mod pipe;
 mod plan;
 mod precision;
@@ -28,6 +29,7 @@ mod refine;
 mod report;
 mod restart;
 mod run;
+mod runs;
 #[cfg(unix)]
 mod scripts;
 mod soils;

@@ -249,6 +249,7 @@ fn place(scale: &Scale, value: f64) -> Option<f64> {
 
 impl Ranged {
     /// Share of the axis, 0 to 1, at which a value lies; `None` where it has no place.
+    #[must_use]
     pub fn share(&self, value: f64) -> Option<f64> {
         let at = place(&self.scale, value)?;
         let share = (at - self.low) / (self.high - self.low);
@@ -257,11 +258,13 @@ impl Ranged {
     }
 
     /// Length of the range, in values of a linear axis.
+    #[must_use]
     pub fn span(&self) -> f64 {
         self.high - self.low
     }
 
     /// Whether the axis carries names.
+    #[must_use]
     pub fn is_named(&self) -> bool {
         matches!(self.scale, Scale::Names(_))
     }

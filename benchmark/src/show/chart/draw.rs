@@ -2,7 +2,7 @@
 
 use super::axis::Ranged;
 use super::legend::{self, dashes, look_of_point};
-use super::style::{self, GRID_LIGHT, INK_LIGHT, PAPER_LIGHT, Shape};
+use super::style::{self, FONTS, GRID_LIGHT, INK_LIGHT, PAPER_LIGHT, Shape};
 use super::text::{escaped, lines, width};
 use super::{Chart, Guide, Mark, Point, Series, Stroke};
 use std::fmt::Write;
@@ -115,7 +115,7 @@ pub fn svg(chart: &Chart) -> String {
     let _ = write!(
         out,
         "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"chart\" role=\"img\" viewBox=\"0 0 {WIDTH} {height:.0}\" \
-         font-family=\"system-ui,-apple-system,'Segoe UI',Roboto,'DejaVu Sans',sans-serif\" fill=\"{INK_LIGHT}\">\
+         font-family=\"{FONTS}\" fill=\"{INK_LIGHT}\">\
          <title>{}</title><desc>{}</desc><style>{}</style>\
          <rect class=\"paper\" width=\"100%\" height=\"100%\" fill=\"{PAPER_LIGHT}\"/>",
         escaped(&chart.title),

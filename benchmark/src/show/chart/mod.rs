@@ -11,9 +11,9 @@ mod several;
 mod style;
 mod text;
 
-pub use axis::{Axis, Format, Scale};
+pub use axis::{Axis, Format, Ranged, Scale, Tick};
 pub use several::side_by_side;
-pub use style::{Colour, Mark, Stroke};
+pub use style::{Colour, FONTS, Mark, Stroke};
 
 use serde::{Deserialize, Serialize};
 

@@ -1,7 +1,7 @@
 //! Several charts in one picture, side by side, with one legend above them.
 
 use super::draw::WIDTH;
-use super::style::{self, INK_LIGHT, PAPER_LIGHT};
+use super::style::{self, FONTS, INK_LIGHT, PAPER_LIGHT};
 use super::text::escaped;
 use super::{Chart, Entry, legend};
 use std::fmt::Write;
@@ -35,7 +35,7 @@ pub fn side_by_side(title: &str, charts: &[Chart], entries: &[Entry], columns: u
     }
     let mut out = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"chart\" role=\"img\" viewBox=\"0 0 {width:.0} {top:.0}\" \
-         font-family=\"system-ui,-apple-system,'Segoe UI',Roboto,'DejaVu Sans',sans-serif\" fill=\"{INK_LIGHT}\">\
+         font-family=\"{FONTS}\" fill=\"{INK_LIGHT}\">\
          <title>{0}</title><style>{1}</style>\
          <rect class=\"paper\" width=\"100%\" height=\"100%\" fill=\"{PAPER_LIGHT}\"/>\
          <text x=\"{EDGE}\" y=\"{2:.1}\" font-size=\"{TITLE}\" font-weight=\"600\">{0}</text>",

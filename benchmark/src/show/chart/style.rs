@@ -114,6 +114,9 @@ impl Stroke {
     }
 }
 
+/// Typefaces of pictures, the first that a machine has.
+pub const FONTS: &str = "system-ui,-apple-system,'Segoe UI',Roboto,'DejaVu Sans',sans-serif";
+
 /// The paper's light tone.
 pub(super) const PAPER_LIGHT: &str = PAPER.0;
 /// The grid's light tone.

@@ -4,6 +4,7 @@ mod arena;
 pub mod history;
 mod precision;
 pub mod refine;
+pub mod runs;
 mod slopes;
 
 pub use arena::{arena, arena_charts, arena_legend};

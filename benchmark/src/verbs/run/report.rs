@@ -229,7 +229,8 @@ fn written(folder: &Path) -> String {
     format!("{}: {}", folder.display(), files.join(", "))
 }
 
-fn row(f: &mut fmt::Formatter<'_>, name: &str, text: &str) -> fmt::Result {
+/// A row of a name and a text.
+pub(in crate::verbs) fn row(f: &mut fmt::Formatter<'_>, name: &str, text: &str) -> fmt::Result {
     // A line that is too long goes on below its text.
     let mut heading = name;
     for line in filled(text.split(' '), columns() - BESIDE) {

@@ -1,0 +1,150 @@
+//! Forecast of a run from a few steps of the scene itself: steps, time, memory, output.
+
+use crate::measure::Stopwatch;
+use crate::show::{bytes, grouped, number, seconds};
+use crate::verbs::run::{bound_words, row};
+use proctor_files::json::SourceMap;
+use proctor_files::run::{OutputForecast, StepForecast, next_stop};
+use proctor_kernel::memory::words;
+use proctor_scene::Scene;
+use proctor_scene::simulation::{Bound, Simulation, StepInfo, estimate_memory};
+use std::fmt;
+
+/// Time that the steps take, unless the least number takes longer \[s\].
+const ENOUGH: f64 = 0.25;
+/// Least and largest number of steps.
+const LEAST: usize = 5;
+const MOST: usize = 500;
+/// Steps that touch memory for the first time, and are not timed.
+const FIRST: usize = 2;
+
+/// Words before the forecast.
+const HEADING: &str = "forecast";
+
+/// The forecast, in rows of a name and a text.
+pub(super) struct Forecast {
+    rows: Vec<(&'static str, String)>,
+}
+
+impl Forecast {
+    /// Takes a few steps of a scene that was set up.
+    pub(super) fn new(scene: &Scene, places: &SourceMap, simulation: &mut Simulation) -> Self {
+        let mut rows = vec![];
+        let (infos, fault) = Self::steps(scene, places, simulation);
+        if let Some((step, bound)) = typical(&infos) {
+            let (dt, critical) = (number(step.dt), number(step.dt_critical));
+            let text = format!(
+                "{dt} s, {}; bound of stability {critical} s",
+                bound_words(bound)
+            );
+            rows.push(("time step", text));
+            let steps = StepForecast::new(scene, step.dt);
+            let about = if steps.is_exact {
+                String::new()
+            } else {
+                format!(", if they stay as long as the first {}", infos.len())
+            };
+            rows.push(("steps", grouped(steps.steps) + &about));
+            let output = OutputForecast::new(simulation, &steps);
+            // A row of the history costs about a step.
+            let time = median(&infos) * (steps.steps + output.history_rows) as f64;
+            let threads = match simulation.threads() {
+                1 => "1 thread".to_owned(),
+                n => format!("{n} threads"),
+            };
+            let text = format!(
+                "about {} on {threads} of this machine, by its first {} steps",
+                seconds(time),
+                infos.len()
+            );
+            rows.push(("run time", text));
+            let memory = words(estimate_memory(scene).bytes);
+            rows.push(("memory", format!("about {memory}")));
+            rows.push(("output", words_of(&output)));
+            let text = match simulation.plan().warnings.len() {
+                0 => "none".to_owned(),
+                n => format!("{n}, above"),
+            };
+            rows.push(("warnings", text));
+        }
+        if let Some(fault) = fault {
+            rows.push(("fault", format!("the run will stop: {fault}")));
+        }
+        Self { rows }
+    }
+
+    /// Steps with the time that each took \[s\], and the reason why they stopped.
+    fn steps(
+        scene: &Scene,
+        places: &SourceMap,
+        simulation: &mut Simulation,
+    ) -> (Vec<(StepInfo, f64)>, Option<String>) {
+        let mut infos: Vec<(StepInfo, f64)> = vec![];
+        let mut spent = 0.0;
+        while let Some(stop) = next_stop(scene, simulation.time()) {
+            let mut stopwatch = Stopwatch::default();
+            match stopwatch.time(|| simulation.step(stop)) {
+                Ok(info) => infos.push((info, stopwatch.spent.wall.as_secs_f64())),
+                Err(error) => return (infos, Some(places.of_step(&error))),
+            }
+            spent += stopwatch.spent.wall.as_secs_f64();
+            let is_enough = spent > ENOUGH && infos.len() >= LEAST;
+            if is_enough || infos.len() == MOST {
+                break;
+            }
+        }
+        (infos, None)
+    }
+}
+
+impl fmt::Display for Forecast {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "{HEADING}")?;
+        self.rows
+            .iter()
+            .try_for_each(|(name, text)| row(f, name, text))
+    }
+}
+
+/// The longest step of the later half, and the bound that ruled most of all steps but those that were shortened for an output.
+fn typical(infos: &[(StepInfo, f64)]) -> Option<(StepInfo, Bound)> {
+    let later = &infos[infos.len() / 2..];
+    let longest = later.iter().max_by(|a, b| a.0.dt.total_cmp(&b.0.dt))?.0;
+    let bounds = || later.iter().map(|(info, _)| info.bound);
+    let count = |bound: Bound| bounds().filter(|other| *other == bound).count();
+    let ruling = bounds().filter(|bound| *bound != Bound::OutputTime);
+    let bound = ruling.max_by_key(|bound| count(*bound));
+    Some((longest, bound.unwrap_or(longest.bound)))
+}
+
+/// Median time of a step \[s\].
+fn median(infos: &[(StepInfo, f64)]) -> f64 {
+    let skipped = FIRST.min(infos.len() - 1);
+    let mut times: Vec<f64> = infos[skipped..].iter().map(|(_, time)| *time).collect();
+    times.sort_unstable_by(f64::total_cmp);
+    times[times.len() / 2]
+}
+
+/// The files of a run in words.
+fn words_of(output: &OutputForecast) -> String {
+    if output.bytes() == 0 {
+        return "the summary alone".to_owned();
+    }
+    let mut parts = vec![];
+    let frames = output.frame_bytes + output.other_frame_bytes;
+    if output.frames > 0 {
+        parts.push(format!(
+            "{} frames {}",
+            grouped(output.frames),
+            bytes(frames)
+        ));
+    }
+    if output.history_rows > 0 {
+        let (rows, size) = (grouped(output.history_rows), bytes(output.history_bytes));
+        parts.push(format!("{rows} rows of the history {size}"));
+    }
+    if output.checkpoint_bytes > 0 {
+        parts.push(format!("checkpoint {}", bytes(output.checkpoint_bytes)));
+    }
+    format!("{}: {}", bytes(output.bytes()), parts.join(", "))
+}
