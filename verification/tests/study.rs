@@ -221,7 +221,9 @@ fn every_case_has_a_study_or_a_reason_why_not() {
             "spin",
             "bar-energy",
             "angular-momentum",
-            "grains"
+            "grains",
+            "half-space",
+            "radial-vibration"
         ]
     );
 }

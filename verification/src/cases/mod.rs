@@ -19,6 +19,7 @@ mod element;
 mod fluid;
 mod footing;
 mod grains;
+mod half_space;
 mod hertz;
 mod hertz_slab;
 mod hertz_sphere;
@@ -29,6 +30,7 @@ mod incompressible_box;
 mod ironing;
 mod plastic_wave;
 mod prelude;
+mod radial_vibration;
 mod rings;
 mod rolling_disk;
 mod rolling_disk_slab;
@@ -44,6 +46,7 @@ mod spinning_collision;
 mod staggered_start;
 mod step_bar;
 mod sudden_weight;
+mod thick_cylinder;
 mod tilted_incline;
 mod vocabulary;
 mod vortex;
@@ -115,6 +118,9 @@ list! {
     rings::[RINGS],
     ironing::[IRONING],
     grains::[GRAINS],
+    thick_cylinder::[THICK_CYLINDER],
+    half_space::[HALF_SPACE],
+    radial_vibration::[RADIAL_VIBRATION],
 }
 
 /// The error of the stress, where a case has one.

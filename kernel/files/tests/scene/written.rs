@@ -156,3 +156,29 @@ fn what_cannot_be_written_is_refused_by_name() {
     let refused = write(&scene).expect_err("a line").to_string();
     assert!(refused.contains("a rigid line"), "{refused}");
 }
+
+#[test]
+fn an_axisymmetric_mesh_is_read_and_written() {
+    let text = |plane: &str| {
+        format!(
+            r#"{{"dimension": 2, "time": 1, "mesh": {{"axisymmetric": true, "cells_dimension": [1, 1],
+            "cells_number": [4, 4], "boundary_conditions": {{"plane_X0": "{plane}"}}}},
+            "material": [{{"type": "elastic", "id": 1, "young": 1e6, "poisson": 0.3, "density": 1000}}],
+            "body": [{{"type": "disc", "id": 1, "material_id": 1, "center": [0, 2], "radius": 2}},
+                {{"type": "cuboid", "id": 2, "material_id": 1, "point_p1": [3, 0], "point_p2": [4, 1]}}]}}"#
+        )
+    };
+    let read = |plane: &str| from_json(&text(plane), "ball", Path::new("."));
+    let mut scene = read("sliding").expect("half of a disc on the axis is a ball");
+    assert!(scene.mesh.axisymmetric);
+    // The writer knows cuboids alone.
+    scene.bodies.remove(0);
+    assert_eq!(back(&scene).mesh, scene.mesh);
+    let refused = read("fixed").expect_err("nothing on the axis moves along it");
+    assert!(
+        refused
+            .to_string()
+            .contains("mesh.boundary_conditions.plane_X0"),
+        "{refused}"
+    );
+}

@@ -1,0 +1,152 @@
+//! Does a thick-walled cylinder under internal pressure widen as Lamé's solution says?
+//!
+//! Source: Lamé 1852; Timoshenko and Goodier 1970, section 28. An axisymmetric scene: a wall from 1 m to 2 m between sliding
+//! planes (plane strain), under a pressure inside that strains it by 1e-6. `on` has its faces on nodes, `off` 0.3 of a cell beside
+//! them, so that domains of particles lie across nodes.
+//!
+//! Expected: order 2 in the displacement, 1 in the stress. Those of `off`, 1.86 and 0.94 from 32 to 64 cells, are in its table, and no
+//! gate is on them. `proctor verify thick-cylinder`.
+
+use super::prelude::*;
+use crate::exact::thick_wall::ThickWall;
+
+const INNER: f64 = 1.0; // Inner radius [m]
+const OUTER: f64 = 2.0; // Outer radius [m]
+const YOUNG: f64 = 1e6; // Young's modulus [Pa]
+const POISSON: f64 = 0.3;
+const DENSITY: f64 = 1000.0; // Density [kg/m³]
+/// Pressure inside \[Pa\].
+const PRESSURE: f64 = 1.0;
+const ON: &str = "on";
+const OFF: &str = "off";
+/// Part of a cell by which the faces of `off` are beside nodes.
+const BESIDE: f64 = 0.3;
+const RADIAL: &str = "L2(radial stress)";
+const RESIDUAL: &str = "residual";
+/// Where the relaxation stops, over the force of the pressure.
+const RESIDUAL_TARGET: f64 = 1e-9;
+const RESIDUAL_STUDIED: f64 = 1e-6;
+const WRONG_PRESSURE: Wrong =
+    Wrong::factor("pressure", 1.001).breaks(|gate| gate.contains("L2(u)"));
+
+/// Lamé's cylinder.
+pub static THICK_CYLINDER: Case = Case::new(
+    "thick-cylinder",
+    "Does a thick-walled cylinder under internal pressure widen as Lamé's solution says?",
+)
+.ladder(Ladder::variants(
+    &[ON, OFF],
+    " ",
+    "t/h",
+    OUTER - INNER,
+    [&[8, 16], &[8, 16, 32, 64]],
+))
+.method(|_| Settings::new(Method::DEFAULT))
+.scene(scene)
+.displacements()
+.residual()
+.compare_after(settle, compare)
+.gates_of_variants(&[
+    error(DISPLACEMENT).at_most_of(
+        [4.8e-4, 3e-5],
+        [
+            "sixteen times the bound at 64 cells, as order 2 allows at 16",
+            "a prototype of the same weights was off by 1e-5",
+        ],
+    ),
+    order(DISPLACEMENT)
+        .at_least(1.9, "the prototype had 1.99")
+        .on(|rung| rung.variant == ON),
+    order(RADIAL)
+        .at_least(0.9, "stresses of the particles are of order 1")
+        .on(|rung| rung.variant == ON),
+    worst(RESIDUAL)
+        .at_most(
+            1e-8,
+            "far below the errors that are measured, so that they are those of the mesh",
+        )
+        .named("{quantity}, unbalanced force over load, worst mesh"),
+])
+.tables(&[TableRule::new(
+    "Lamé's cylinder, {variant} the nodes",
+    &[DISPLACEMENT, RADIAL],
+)])
+.wrong_references(&[WRONG_PRESSURE])
+.studies(&[Plan::new(
+    Ladder::cells(ON, "t/h", OUTER - INNER, &[8, 16, 32], &[8, 16, 32, 64]),
+    &[
+        Measure::new("displacement", DISPLACEMENT),
+        Measure::new("stress", RADIAL),
+    ],
+    1,
+)
+// The gradient of least squares has no axisymmetric form.
+.trying(|_, method| method.transfer != TransferKind::Mls)])
+.no_guest("the scenes of other solvers have no axis of revolution");
+
+fn exact(factor: f64) -> ThickWall {
+    ThickWall {
+        inner: INNER,
+        outer: OUTER,
+        pressure: factor * PRESSURE,
+        young: YOUNG,
+        poisson: POISSON,
+    }
+}
+
+fn scene(rung: &Rung, settings: &Settings) -> Scene {
+    let h = rung.cell;
+    // Two cells before the wall and behind it, so that nothing but the wall is there.
+    let first = INNER - 2.0 * h - if rung.variant == OFF { BESIDE * h } else { 0.0 };
+    let mut mesh = strip(h, [cells(OUTER - INNER, h) + 5, 1]);
+    mesh.axisymmetric = true;
+    mesh.origin[0] = first;
+    mesh.planes[0] = [PlaneCondition::Free; 2];
+    settings.applied(Scene {
+        time_step: settings.multiplier(),
+        damping: Damping::Kinetic,
+        materials: elastic(DENSITY, YOUNG, POISSON),
+        bodies: vec![body("wall", 1, rectangle([INNER, 0.0], [OUTER, h]))],
+        tractions: vec![Traction {
+            p1: [INNER, 0.0, 0.0],
+            p2: [INNER, h, 0.0],
+            traction: [PRESSURE, 0.0, 0.0].into(),
+        }],
+        ..plane_scene("thick_cylinder", mesh, 1.0)
+    })
+}
+
+fn settle(run: &mut Run<'_>) -> Result<(), Failure> {
+    let target = match run.settings.courant {
+        None => RESIDUAL_TARGET,
+        Some(_) => RESIDUAL_STUDIED,
+    };
+    let load = TAU * INNER * run.rung.cell * PRESSURE;
+    run.relax(load, target, OUTER - INNER)
+}
+
+fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
+    let exact = exact(run.reference.of(&WRONG_PRESSURE));
+    let simulation = &*run.simulation;
+    let displacement = l2(simulation, |p, x| {
+        Some((
+            simulation.displacement(0, p)?,
+            [exact.cylinder_displacement(x[0]), 0.0, 0.0],
+        ))
+    });
+    let radial = l2(simulation, |p, x| {
+        let stress = simulation.sets()[0].stress(p);
+        Some(([stress[0]], [exact.cylinder_stress(x[0])[0]]))
+    });
+    let points = run.along(0, |p, x| [run.stress(p)[2], exact.cylinder_stress(x)[2]]);
+    let title = format!("hoop stress through the wall, {}", run.rung.label);
+    let curve = points.map(|points| Curve::new(title, ["r (m)", "stress / p"], points));
+    Ok(Found::new(
+        vec![
+            ratio(DISPLACEMENT, displacement),
+            ratio(RADIAL, radial),
+            Quantity::balance(RESIDUAL, run.residual, "1"),
+        ],
+        curve,
+    ))
+}
