@@ -131,18 +131,18 @@ impl Place {
                 .split_once("_energy_")
                 .filter(|(body, _)| body.starts_with("body"));
             if let Some((body, word)) = of_body {
-                return Some(place(format!("{body}: energy"), "energy", 6, word));
+                return Some(place(format!("{body}: energy"), "energy", 7, word));
             }
             let word = name.replace("energy_", "").replace("_energy", "");
             return Some(place(
                 "Energy".to_owned(),
                 "energy",
-                5,
+                6,
                 &word.replace('_', " "),
             ));
         }
         if let Some(axis) = name.strip_prefix("momentum_") {
-            return Some(place("Momentum".to_owned(), "momentum", 7, axis));
+            return Some(place("Momentum".to_owned(), "momentum", 8, axis));
         }
         let kinds = [
             ("contact_f", "contact force", 3),
