@@ -108,7 +108,7 @@ impl Sources {
             let name = file.to_string_lossy().replace('\\', "/");
             let digest = parts.entry(part(&name)).or_insert(Digest::NOTHING);
             let bytes = std::fs::read(root.join(&file))?;
-            let code = if name.ends_with(".rs") {
+            let code = if file.extension().is_some_and(|extension| extension == "rs") {
                 without_comments(&bytes)
             } else {
                 bytes

@@ -80,9 +80,10 @@ impl Cycle {
         if gravity > 0.0 {
             return (self.mass() * gravity.sqrt(), "weight");
         }
-        let axes = match self.model.plan.axisymmetric {
-            true => 3,
-            false => self.model.plan.axes,
+        let axes = if self.model.plan.axisymmetric {
+            3
+        } else {
+            self.model.plan.axes
         };
         let force = self.state.sets.iter().map(|set| {
             let volume: f64 = set.columns[Layout::VOLUME].iter().sum();

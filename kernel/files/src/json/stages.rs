@@ -42,7 +42,7 @@ impl SceneSource {
         let Some(list) = base.remove(STAGES) else {
             return Ok(vec![whole(self)?]);
         };
-        let objects = objects(&list).map_err(|problem| self.error(vec![problem]))?;
+        let objects = objects(&list).map_err(|problem| self.error(vec![*problem]))?;
         let mut stages: Vec<Stage> = vec![];
         for (number, own) in objects.into_iter().enumerate() {
             let before = stages.last();
@@ -86,13 +86,14 @@ fn whole(source: SceneSource) -> Result<Stage, SceneError> {
 }
 
 /// The entries of the list.
-fn objects(list: &Value) -> Result<Vec<&Map<String, Value>>, Problem> {
+fn objects(list: &Value) -> Result<Vec<&Map<String, Value>>, Box<Problem>> {
     let accepted = "a list of objects, each with a `name` and the keys that the stage changes";
     let entries = list.as_array().filter(|entries| !entries.is_empty());
-    let entries = entries.ok_or_else(|| Problem::new(STAGES, kind(list), accepted))?;
+    let refused = |path: String, found: &Value| Box::new(Problem::new(path, kind(found), accepted));
+    let entries = entries.ok_or_else(|| refused(STAGES.to_owned(), list))?;
     let objects = entries.iter().enumerate().map(|(i, entry)| {
         let object = entry.as_object();
-        object.ok_or_else(|| Problem::new(format!("{STAGES}[{i}]"), kind(entry), accepted))
+        object.ok_or_else(|| refused(format!("{STAGES}[{i}]"), entry))
     });
     objects.collect()
 }

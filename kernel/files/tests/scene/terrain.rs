@@ -135,14 +135,13 @@ fn a_closed_surface_is_filled() {
     };
     for (a, b, c) in (0..8).map(|k| (k & 1, k >> 1 & 1, k >> 2)) {
         let sign = |bit: usize| 2.0 * bit as f64 - 1.0;
-        let mut corners = vec![at(0, sign(a)), at(1, sign(b)), at(2, sign(c))];
+        let mut corners = [at(0, sign(a)), at(1, sign(b)), at(2, sign(c))];
         if (a + b + c) % 2 == 0 {
             corners.swap(0, 1);
         }
-        text += &format!(
-            "facet normal 0 0 0\nouter loop\n{}endloop\nendfacet\n",
-            corners.concat()
-        );
+        text += "facet normal 0 0 0\nouter loop\n";
+        text += &corners.concat();
+        text += "endloop\nendfacet\n";
     }
     text += "endsolid o\n";
     let scene = read(

@@ -109,7 +109,7 @@ impl Sheet {
             let whole = polygon_area(&corners_of(range));
             let mut covered = 0.0;
             overlay(range, &[self], &mut |polygon, _| {
-                covered += polygon_area(polygon)
+                covered += polygon_area(polygon);
             });
             covered / whole - 1.0
         };

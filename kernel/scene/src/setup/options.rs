@@ -151,6 +151,7 @@ impl fmt::Debug for Options {
             .field("measure", &self.measure)
             .field("body_force", &self.body_force.is_some())
             .field("initial", &self.initial.is_some())
+            .field("start", &self.start.as_ref().map(|start| &start.source))
             .field("conditions", &self.conditions.len())
             .field("interactions", &self.interactions.len())
             .field("memory", &self.memory)
