@@ -57,8 +57,7 @@ const SPEED_HEADING: &str =
 const STABILITY_SECONDS: f64 = 5.0;
 const STUDIES_SECONDS: f64 = 100.0;
 
-const WHERE_TO_GO: &str =
-    "Next: `proctor new` begins a scene, `proctor -v` tells all of this, `-h` names the rest";
+const WHERE_TO_GO: &str = "next: `proctor new`, `proctor -h`";
 
 /// What the parts of the main job share.
 struct Job<'a> {
@@ -159,18 +158,20 @@ pub fn run(amount: Amount, out: &mut dyn Write) -> Result<Outcome, Failure> {
     if amount.more_than_the_verdict() {
         verdict.busy(paint, out)?;
         let [data, page] = files(folder);
+        let name = |path: &Path| -> String {
+            path.file_name()
+                .map_or_else(String::new, |name| name.to_string_lossy().into())
+        };
         writeln!(
             out,
-            "record in {}, page in {}",
-            data.display(),
-            page.display()
+            "{} and {} in {}; {WHERE_TO_GO}",
+            name(&data),
+            name(&page),
+            folder.display()
         )?;
     }
     if interrupted {
         return Ok(stop.outcome());
-    }
-    if amount.more_than_the_verdict() {
-        writeln!(out, "{WHERE_TO_GO}")?;
     }
     Ok(if verdict.held() {
         Outcome::Fine
@@ -209,11 +210,13 @@ impl Job<'_> {
         let lines = Lines::new(paint, case::all().iter().map(|case| case.name()));
         if amount.more_than_the_verdict() {
             self.tell(|out| {
+                if !amount.all() {
+                    return lines.heading(out);
+                }
                 writeln!(
                     out,
-                    "Cases with exact answers: {workers} at a time, each on one thread. What comes after them runs alone."
-                )?;
-                if amount.all() { writeln!(out) } else { lines.heading(out) }
+                    "Cases with exact answers: {workers} at a time, each on one thread. What comes after them runs alone.\n"
+                )
             })?;
         }
         let mut all: Vec<Ran> = vec![];
@@ -274,7 +277,8 @@ impl Job<'_> {
             .details
             .stability
             .as_ref()
-            .filter(|_| amount.more_than_the_verdict())
+            // The verdict at the end has the number of gates that hold.
+            .filter(|_| amount.all() || (amount.more_than_the_verdict() && !passed))
         {
             self.tell(|out| {
                 if amount.all() {
