@@ -90,7 +90,7 @@ impl GridShape {
         storage
     }
 
-    /// Whether a node lies in a plane of the mesh, 0 the lower, 1 the upper one of the axis.
+    /// True if a node lies in a plane of the mesh, 0 the lower, 1 the upper one of the axis.
     #[must_use]
     #[inline]
     pub fn lies_in_plane(&self, node: usize, axis: usize, side: usize) -> bool {

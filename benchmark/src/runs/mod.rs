@@ -17,7 +17,7 @@ use std::path::{Path, PathBuf};
 pub struct RunFolder {
     /// The folder.
     pub path: PathBuf,
-    /// How it ended.
+    /// The end of the run.
     pub summary: Summary,
     /// Its history.
     pub history: RunHistory,

@@ -24,7 +24,7 @@ pub fn list(values: &[f64]) -> String {
     format!("[{}]", words.join(", "))
 }
 
-/// Hash of words, so that large values can be told apart without printing them.
+/// Hash of words, by which large values differ without printing them.
 #[must_use]
 pub fn fingerprint(words: impl Iterator<Item = u64>) -> u64 {
     words.fold(0xcbf2_9ce4_8422_2325, |hash, word| {

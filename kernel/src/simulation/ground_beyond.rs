@@ -164,7 +164,7 @@ impl Cycle {
         ground
     }
 
-    /// Whether the velocity of a node along an axis is prescribed by a plane or a held box, or the node lies beyond a plane.
+    /// True if a plane or a held box prescribes the velocity of a node along an axis.
     fn is_held(&self, node: usize, along: usize) -> bool {
         let settings = &self.model.settings;
         let (shape, mesh) = (&self.work.grid.shape, &settings.mesh);

@@ -81,7 +81,7 @@ pub(super) struct ParticleToGrid<'a> {
     affine: bool,
     /// Radius of the lower edge of the mesh \[m\], where the scene is axisymmetric.
     first_radius: Option<f64>,
-    /// Whether the force of the hoop stress lies in a lane of its own.
+    /// True if the force of the hoop stress lies in a lane of its own.
     has_hoop: bool,
     /// Of bodies that move freely.
     free: P2gInstance,

@@ -8,7 +8,11 @@
 //! absorbing plane the motion goes on linearly, and what a ghost was given is folded by the transpose of that.
 
 mod damped;
+mod extrapolated;
+mod nodes;
 mod remapped;
+
+pub use nodes::{DashpotNode, DrivenNode, EmptyNode, NodeForce};
 
 use crate::grid::{ActiveRows, GHOSTS_BELOW, GridShape, Line};
 use crate::stage::p2g::{join, join_with_hoop};
@@ -52,37 +56,6 @@ impl Wall {
     }
 }
 
-/// A force on a node.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct NodeForce {
-    /// Index of the node in the grid.
-    pub node: usize,
-    /// Force \[N\].
-    pub force: [f64; 3],
-}
-
-/// A node that moves with a prescribed velocity.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DrivenNode {
-    /// Index of the node in the grid.
-    pub node: usize,
-    /// Velocity half a step before \[m/s\].
-    pub before: [f64; 3],
-    /// Velocity half a step after \[m/s\].
-    pub after: [f64; 3],
-}
-
-/// A node of absorbing planes in one step.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DashpotNode {
-    /// Index of the node in the grid.
-    pub node: usize,
-    /// Impedance of its dashpot per axis \[N s/m\].
-    pub impedance: [f64; 3],
-    /// Force beside that of the dashpot \[N\].
-    pub force: [f64; 3],
-}
-
 /// The planes of nodes that one visit owns.
 pub struct Planes<'a> {
     /// Shape of the grid.
@@ -121,7 +94,7 @@ pub struct PlaneSums {
     pub friction: f64,
     /// What contact took along its normal, where bodies met \[J\].
     pub impact: f64,
-    /// What left through absorbing planes over the kick \[J\].
+    /// Energy that left through absorbing planes over the kick \[J\].
     pub absorbed: f64,
 }
 
@@ -136,10 +109,6 @@ impl AddAssign<&Self> for PlaneSums {
         self.absorbed += other.absorbed;
     }
 }
-
-/// A load on a node that no particle reaches.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct EmptyNode(pub usize);
 
 impl Planes<'_> {
     fn first(&self) -> usize {
@@ -257,34 +226,6 @@ impl Planes<'_> {
                 }
             });
         }
-    }
-
-    /// Folds these lanes of the ghost nodes of a plane beyond which the motion goes on linearly: twice onto the plane, and once
-    /// off the mirror nodes.
-    fn fold_linearly(&mut self, wall: &Wall, lanes: Range<usize>) {
-        let (ghost, _, mirror) = wall.layers(self.shape);
-        self.for_pairs(wall.axis, ghost, mirror, |nodes, ghost, mirror| {
-            let from = nodes[ghost];
-            if from[0] == 0.0 {
-                return;
-            }
-            let plane = usize::midpoint(ghost, mirror);
-            for lane in lanes.clone() {
-                nodes[plane][lane] += 2.0 * from[lane];
-                nodes[mirror][lane] -= from[lane];
-            }
-        });
-    }
-
-    /// Gives ghost nodes beyond a plane these lanes as they go on linearly.
-    fn extrapolate(&mut self, wall: &Wall, lanes: Range<usize>) {
-        let (ghost, _, mirror) = wall.layers(self.shape);
-        self.for_pairs(wall.axis, ghost, mirror, |nodes, ghost, mirror| {
-            let plane = usize::midpoint(ghost, mirror);
-            for lane in lanes.clone() {
-                nodes[ghost][lane] = 2.0 * nodes[plane][lane] - nodes[mirror][lane];
-            }
-        });
     }
 
     /// v_I = p_I / m_I in the lower lanes.

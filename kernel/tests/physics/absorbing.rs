@@ -152,7 +152,7 @@ fn reflections_converge() {
     }
 }
 
-/// What came in left through the plane, but for what the transfer takes.
+/// The energy that came in left through the plane, but for the part that the transfer takes.
 #[test]
 fn the_balance_has_what_left() {
     let pulse = after_pulse(40, 0, StressScheme::Musl, FLIP);
@@ -160,7 +160,7 @@ fn the_balance_has_what_left() {
     assert!((pulse.absorbed - 1.0).abs() < 1e-2, "{pulse:?}");
 }
 
-/// A column under its weight, with the stress of ground at rest where it is asked for.
+/// A column under its weight, with the stress of ground at rest, or without.
 fn column(at_rest: bool, scheme: StressScheme) -> Scene {
     let mut scene = empty(Dimension::Two, [2, 42, 1], CELL);
     scene.scheme = scheme;
@@ -339,7 +339,7 @@ fn absorbed(simulation: &Simulation) -> f64 {
     simulation.save().state.ledger.absorbed
 }
 
-/// What makes peaks that are not its own, stands on mirror images, or has no equation of motion.
+/// Damping that stops waves at their peaks, contact on mirror images, bodies without an equation of motion.
 #[test]
 fn what_does_not_go_with_absorbing_planes_is_refused() {
     let refused = |change: &dyn Fn(&mut Scene), words: &str| {

@@ -1,4 +1,4 @@
-//! What has no axisymmetric form is refused by name, with what is accepted.
+//! Refusals: scenes without an axisymmetric form, by name and with what is accepted.
 
 use super::cylinder;
 use crate::common::MLS;

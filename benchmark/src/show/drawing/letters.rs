@@ -16,7 +16,7 @@ const DOWN: usize = 6;
 /// Where a letter begins in its cell: the left end, and the base line.
 const ORIGIN: [usize; 2] = [4, 23];
 
-/// How far the next letter is, in tenths of a pixel, of the plain letters and of the bold ones.
+/// Distance to the next letter in tenths of a pixel, for plain and for bold letters.
 #[rustfmt::skip]
 const ADVANCE: [[u16; 113]; 2] = [
     [57, 72, 83, 151, 115, 171, 140, 49, 70, 70, 90, 151, 57, 65, 57, 61, 115, 115, 115, 115, 115, 115, 115, 115, 115, 115, 61, 61, 151, 151, 151, 96, 180, 123, 123, 126, 139, 114, 104, 139, 135, 53, 53, 118, 100, 155, 135, 142, 109, 142, 125, 114, 110, 132, 123, 178, 123, 110, 123, 70, 61, 70, 151, 90, 90, 110, 114, 99, 114, 111, 63, 114, 114, 50, 50, 104, 50, 175, 114, 110, 114, 114, 74, 94, 71, 114, 107, 147, 107, 107, 94, 115, 61, 115, 151, 90, 72, 72, 57, 115, 151, 90, 151, 180, 72, 72, 72, 72, 72, 72, 72, 72, 95],

@@ -72,7 +72,7 @@ impl Projection {
         [dot(&self.right, point), dot(&self.up, point)]
     }
 
-    /// How near a point is; of two points the nearer one hides the other.
+    /// Nearness of a point; of two points the nearer one hides the other.
     #[must_use]
     pub fn nearness(&self, point: &[f64; 3]) -> f64 {
         dot(&self.near, point)

@@ -23,7 +23,7 @@ const VELOCITY: &str = "velocity";
 pub struct Stage {
     /// Its name; empty where the scene has no stages.
     pub name: String,
-    /// What is simulated. All stages but the first begin from the end of the one before, by its name as a file.
+    /// The scene of the stage. All stages but the first begin from the end of the one before, by its name as a file.
     pub scene: Scene,
     /// Where its values stand in the text.
     pub places: SourceMap,
@@ -33,7 +33,7 @@ impl SceneSource {
     /// The stages of a scene in their order; one without a name where it has none.
     ///
     /// # Errors
-    /// As [`from_json`](super::from_json), for each stage: the first that has problems is told.
+    /// As [`from_json`](super::from_json), for the first stage that has problems.
     pub fn stages(self) -> Result<Vec<Stage>, SceneError> {
         let text = self.text().trim_start_matches('\u{feff}');
         let Ok(Value::Object(mut base)) = serde_json::from_str(text) else {
@@ -218,7 +218,7 @@ fn leaves(value: &Value, path: &str, all: &mut Vec<String>) {
     }
 }
 
-/// Whether the value at a path is one that a stage changes.
+/// True if a stage changes the value at a path.
 fn changes(own: &Value, path: &str) -> bool {
     let mut all = vec![];
     leaves(own, "", &mut all);

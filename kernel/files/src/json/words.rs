@@ -166,7 +166,7 @@ pub(super) const RECORDED_MOTIONS: Words<RecordedMotion> = &[
     ("incoming", RecordedMotion::Incoming),
 ];
 
-/// Whether bodies keep the velocity of another run.
+/// Velocities at the start: true keeps those of another run.
 pub(super) const START_VELOCITIES: Words<bool> = &[("zero", false), ("kept", true)];
 
 pub(super) const OUTSIDES: Words<Outside> = &[("stop", Outside::Stop), ("remove", Outside::Remove)];

@@ -123,7 +123,7 @@ pub struct SummaryEnergy {
     /// Brought in by gravity, loads, moving boundaries and whoever moves bodies as prescribed.
     #[serde(default, skip_serializing_if = "no_number")]
     pub external_work: Option<f64>,
-    /// What is missing: the sum of damping, friction, impact, plastic, removed, absorbed and remainder.
+    /// Missing energy: the sum of damping, friction, impact, plastic, removed, absorbed and remainder.
     #[serde(default, skip_serializing_if = "no_number")]
     pub dissipated: Option<f64>,
     /// Taken out by damping.

@@ -296,7 +296,7 @@ impl Run {
     }
 }
 
-/// Whether forces are in balance, where the scene ends by that.
+/// True once forces are in balance, where the scene ends by that.
 fn is_balanced(simulation: &mut Simulation) -> bool {
     let until = simulation.scene().until;
     until.is_some_and(|until| {

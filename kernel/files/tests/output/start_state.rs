@@ -90,7 +90,7 @@ fn bodies_begin_as_the_run_before_left_them() {
     }
 }
 
-/// What has settled stays where it is, on a base that has become absorbing as well.
+/// Settled ground stays where it is, on a base that has become absorbing as well.
 #[test]
 fn settled_ground_stays() {
     let (folder, _) = settled();

@@ -300,7 +300,7 @@ fn revolved(filled: FilledBody, scene: &Scene, shape: &Shape) -> FilledBody {
     }
 }
 
-/// Whether derivatives along the radius are integrals over particle domains. B-splines are weights of a point, as hats are.
+/// True if derivatives along the radius are integrals over particle domains. B-splines are weights of a point, as hats are.
 fn weighs_by_radius(weighting: Weighting) -> bool {
     matches!(
         weighting,

@@ -18,7 +18,7 @@ pub struct StartState {
     pub cell: Vector,
     /// The bodies.
     pub bodies: Vec<StartBody>,
-    /// Whether bodies keep their velocities; they begin at rest otherwise.
+    /// True if bodies keep their velocities; they begin at rest otherwise.
     pub keeps_velocity: bool,
 }
 
@@ -161,7 +161,7 @@ fn take(
     Ok(())
 }
 
-/// What a column holds, as far as a start state treats it in a way of its own.
+/// The content of a column, as far as a start state treats it in a way of its own.
 enum Role {
     /// Position or position at the start along an axis.
     Position(usize),

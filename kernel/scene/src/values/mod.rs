@@ -189,7 +189,7 @@ impl Scene {
 
     /// Radial thickness in cells from which a body takes the steps of the plane.
     const THICK: f64 = 2.0;
-    /// What rods take: the square of the largest frequency is at most four times that of the plane, 2/(1 - nu) in a solid.
+    /// Share for rods: the square of the largest frequency is at most four times that of the plane, 2/(1 - nu) in a solid.
     const OF_RODS: f64 = 0.5;
 
     /// Whether a boundary plane has a condition: 0 the lower, 1 the upper plane of the axis. A moving base is one.

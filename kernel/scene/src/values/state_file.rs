@@ -7,6 +7,6 @@ use std::path::PathBuf;
 pub struct StateFile {
     /// A checkpoint, or the folder of a run that has one.
     pub file: PathBuf,
-    /// Whether bodies keep their velocities; they begin at rest otherwise.
+    /// True if bodies keep their velocities; they begin at rest otherwise.
     pub keeps_velocity: bool,
 }

@@ -229,12 +229,12 @@ impl CycleSettings {
         planes.filter(move |(axis, side)| self.mesh.planes[*axis][*side] == condition)
     }
 
-    /// Whether a plane has reactions.
+    /// True if a plane has reactions.
     pub(in crate::simulation) fn has_reactions(&self) -> bool {
         self.absorbs() || self.bearing_planes().next().is_some()
     }
 
-    /// Whether a plane is absorbing.
+    /// True if a plane is absorbing.
     #[must_use]
     pub fn absorbs(&self) -> bool {
         self.absorbing_planes().next().is_some()

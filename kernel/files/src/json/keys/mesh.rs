@@ -25,7 +25,7 @@ pub(in crate::json) struct RawMesh {
         "x-unit" = "m", "x-default" = "zero, as in the manuals' program", "examples" = [[-1, 0], [-1, -1, 0]]
     ))]
     pub origin: Option<Vec<f64>>,
-    /// Whether x is the radius and y the height of a body of revolution. Masses, forces and energies are then those of the full
+    /// True where x is the radius and y the height of a body of revolution. Masses, forces and energies are then those of the full
     /// circle, and the stress ZZ is the hoop stress.
     #[schemars(extend(
         "x-needs" = "`dimension` 2", "default" = false, "examples" = [true]

@@ -55,7 +55,7 @@ pub(super) fn check(scene: &Scene, mesh_is_sound: bool, problems: &mut Collector
     }
 }
 
-/// What comes in through an absorbing plane, and what lies beyond it.
+/// The wave that comes in through an absorbing plane, and the springs beyond it.
 fn check_ground_beyond(scene: &Scene, problems: &mut Collector) {
     let planes = &scene.mesh.planes;
     let absorbs = |axis: usize, side: usize| planes[axis][side] == PlaneCondition::Absorbing;
