@@ -23,6 +23,13 @@ fn warns(scene: &Scene, words: &[&str]) -> bool {
         .any(|warning| words.iter().all(|word| warning.contains(word)))
 }
 
+/// Stress at the start of [`ground`].
+const GROUND_AT_REST: InitialStress = InitialStress::AtRest {
+    ratio: 0.5,
+    level: 5.0,
+    surcharge: 0.0,
+};
+
 /// Level ground from side to side, with every plane but the upper one sliding, as is the default.
 fn ground(dimension: Dimension) -> Scene {
     let mut scene = empty(dimension, [20, 14, 6], 1.0);
@@ -121,11 +128,7 @@ fn weight_without_stress_on_dashpots_is_named() {
             "{:?}",
             warnings(&scene)
         );
-        scene.bodies[0].initial_stress = InitialStress::AtRest {
-            ratio: 0.5,
-            level: 5.0,
-            surcharge: 0.0,
-        };
+        scene.bodies[0].initial_stress = GROUND_AT_REST;
         assert_eq!(warnings(&scene), Vec::<String>::new());
     }
 }
@@ -144,11 +147,7 @@ fn sides_that_carry_weight_are_named() {
             warnings(&scene)
         );
         // Ground that begins at rest hangs on nothing.
-        scene.bodies[0].initial_stress = InitialStress::AtRest {
-            ratio: 0.5,
-            level: 5.0,
-            surcharge: 0.0,
-        };
+        scene.bodies[0].initial_stress = GROUND_AT_REST;
         assert_eq!(warnings(&scene), Vec::<String>::new());
     }
 }
@@ -201,11 +200,7 @@ fn stress_out_of_balance_at_the_start_is_measured() {
         body(2, cuboid([10.0, 0.0, 0.0], [20.0, 3.0, 0.0])),
     ];
     for body in &mut toe.bodies {
-        body.initial_stress = InitialStress::AtRest {
-            ratio: 0.5,
-            level: 5.0,
-            surcharge: 0.0,
-        };
+        body.initial_stress = GROUND_AT_REST;
     }
     assert!(warns(&toe, &["out of balance", "toe"]));
     // Isotropic pressure in a body that nothing holds.

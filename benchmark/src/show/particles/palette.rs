@@ -20,7 +20,7 @@ const STEPS: [Rgb; 11] = [
 /// Colour of what has no value.
 const NONE: Rgb = [160, 160, 160];
 
-/// The colour of a value in a range; values beyond it have the colour of its end, and what is not a number is grey.
+/// The colour of a value in a range. A value beyond the range has the colour of the nearer end; not-a-number is grey.
 #[must_use]
 pub fn colour(value: f64, [low, high]: [f64; 2]) -> Rgb {
     if value.is_nan() {

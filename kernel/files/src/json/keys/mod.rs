@@ -104,7 +104,7 @@ pub(super) struct RawScene {
         "default" = "determinant", "examples" = ["stretch"]
     ))]
     pub domain_update: Option<String>,
-    /// How velocity is carried between particles and nodes. The default is that of the manuals.
+    /// Transfer of velocity between particles and nodes. The manuals have the same default.
     /// MLS is for quadratic B-splines.
     #[schemars(extend(
         "enum" = ["FLIP", "APIC", "TPIC", "MLS"], "default" = "FLIP", "examples" = ["APIC"]
