@@ -1,8 +1,8 @@
 //! Counts of instructions by valgrind, of what changed since a record.
 
 use crate::Asked;
-use crate::items::{Group, Item};
-use proctor_benchmark::bench::sources::{Digest, Kept, Sources};
+use proctor_benchmark::bench::counted::{Earlier, Group, Item, TIMES};
+use proctor_benchmark::bench::sources::{Digest, Kept};
 use proctor_benchmark::record::{Record, Row};
 use std::collections::BTreeMap;
 use std::error::Error;
@@ -18,8 +18,6 @@ const NO_STRING_INSTRUCTIONS: (&str, &str) = (
     "GLIBC_TUNABLES",
     "glibc.cpu.x86_rep_stosb_threshold=1000000000:glibc.cpu.x86_rep_movsb_threshold=1000000000",
 );
-/// Steps, or plays of a part, that are counted.
-const TIMES: usize = 12;
 
 /// The example, built for x86-64-v3 in a folder of its own.
 fn build() -> Result<PathBuf, Box<dyn Error>> {
@@ -131,24 +129,17 @@ impl Counts {
     ) -> Result<Self, Box<dyn Error>> {
         let compiler = record.context["rustc"].as_str().unwrap_or_default();
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-        let sources = Sources::read(&root, compiler)?;
+        let earlier = Earlier::read(&root, compiler, asked.since.as_deref())?;
         let mut digests = Kept::default();
-        for (part, digest) in sources.parts() {
+        for (part, digest) in earlier.sources().parts() {
             digests.keep(format!("part {part}"), digest);
         }
-        let (rows, before) = match &asked.since {
-            Some(path) => (Record::read(path)?.rows, Kept::read(&Kept::beside(path))?),
-            None => (vec![], Kept::default()),
-        };
         let mut kept = BTreeMap::new();
         let mut has_changed = |item: &&Item| {
-            let (name, how) = (item.row(), format!("{} {TIMES}", item.what));
-            let digest = sources.of(&item.scene, &how);
-            digests.keep(&name, digest);
-            let row = rows.iter().find(|row| row.name == name);
-            let row = row.filter(|_| before.has(&name, digest));
+            let (digest, row) = earlier.count(item);
+            digests.keep(item.row(), digest);
             if let Some(row) = row {
-                kept.insert(name, (row.clone(), digest));
+                kept.insert(item.row(), (row.clone(), digest));
             }
             row.is_none()
         };

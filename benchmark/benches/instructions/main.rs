@@ -11,10 +11,9 @@
 //! valgrind is not installed.
 
 mod counter;
-mod items;
 
 use counter::Counts;
-use items::{Group, Item, features, scenes_and_parts};
+use proctor_benchmark::bench::counted::{Group, Item, features, scenes_and_parts};
 use proctor_benchmark::bench::sources::Kept;
 use proctor_benchmark::record::{Record, Row};
 use proctor_benchmark::show::{Table, grouped};

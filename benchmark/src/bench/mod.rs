@@ -5,6 +5,7 @@
 
 pub mod children;
 pub mod config;
+pub mod counted;
 pub mod counts;
 pub mod machine;
 mod memory;

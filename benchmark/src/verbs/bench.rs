@@ -4,6 +4,7 @@ use super::folder::Folder;
 use super::settings::{Lanes, OPTION, bounded};
 use crate::bench::Session;
 use crate::bench::config::{Asked, Config, FILE};
+use crate::bench::counted::Earlier;
 use crate::bench::tables::Report;
 use crate::exit::{Failure, Outcome};
 use crate::interrupt::Interrupt;
@@ -53,10 +54,17 @@ pub struct Bench {
     /// Keep scenes and results of executables in this folder [default: they are removed]
     #[arg(long, value_name = "DIR")]
     keep: Option<PathBuf>,
+    /// Measure nothing: name the instruction counts of this record whose sources, in this folder, changed since; exit
+    /// code 1 where there are any
+    #[arg(long, value_name = "RECORD", exclusive = true)]
+    uncounted: Option<PathBuf>,
 }
 
 impl Bench {
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
+        if let Some(record) = &self.uncounted {
+            return uncounted(record, out);
+        }
         let options = Options {
             lanes: self.lanes.into(),
             ..Options::default()
@@ -128,4 +136,27 @@ impl Bench {
         }
         Ok(())
     }
+}
+
+/// Counts whose sources changed since a record, in the workspace of the current folder.
+fn uncounted(record: &Path, out: &mut dyn Write) -> Result<Outcome, Failure> {
+    let context = Record::new(&Options::default()).context;
+    let compiler = context["rustc"].as_str().unwrap_or_default();
+    let names = Earlier::read(Path::new(""), compiler, Some(record))
+        .and_then(|earlier| earlier.uncounted())
+        .map_err(|error| Failure::BadInput(format!("{}: {error}", record.display())))?;
+    for name in &names {
+        writeln!(out, "{name}")?;
+    }
+    writeln!(
+        out,
+        "{} counts depend on sources that changed since {}",
+        names.len(),
+        record.display()
+    )?;
+    Ok(if names.is_empty() {
+        Outcome::Fine
+    } else {
+        Outcome::Failed
+    })
 }

@@ -2,6 +2,7 @@
 
 mod calibration;
 mod config;
+mod counted;
 mod frames;
 mod peers;
 mod scenes;

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 use tempfile::TempDir;
 
-const COMPILER: &str = "rustc 1.2.3";
+pub const COMPILER: &str = "rustc 1.2.3";
 const FILES: [&str; 14] = [
     "Cargo.toml",
     "Cargo.lock",
@@ -26,14 +26,14 @@ const FILES: [&str; 14] = [
 /// Counting of the scenes of the test.
 const HOW: &str = "step 12";
 
-fn write(root: &Path, file: &str, text: &str) {
+pub fn write(root: &Path, file: &str, text: &str) {
     let path = root.join(file);
     fs::create_dir_all(path.parent().expect("a folder")).expect("made");
     fs::write(path, text).expect("written");
 }
 
 /// A workspace of files that are all different.
-fn workspace() -> TempDir {
+pub fn workspace() -> TempDir {
     let root = TempDir::new().expect("a folder");
     for file in FILES {
         write(root.path(), file, file);

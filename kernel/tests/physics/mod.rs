@@ -34,6 +34,7 @@ mod parted;
 mod planes;
 mod reach;
 mod rotation;
+mod sliding;
 mod stages;
 mod start;
 mod trust;

@@ -51,6 +51,32 @@ fn column(face: f64, height: f64) -> Scene {
     scene
 }
 
+/// A driven body that moves acts at nodes without a contact, and with USF; one in contact, and one that stands, by its shape.
+#[test]
+fn driven_bodies_that_move_at_nodes_are_named() {
+    let words = ["body 1", "up to a cell beyond its faces", "body 2"];
+    let scene = |scheme: StressScheme, contact: bool, velocity: f64| {
+        let mut scene = block([2.3, 2.4], [6.7, 9.1]);
+        scene.scheme = scheme;
+        scene.bodies[0].motion = Some(History::from([0.0, velocity, 0.0]));
+        if !contact {
+            scene.contacts.clear();
+        }
+        scene
+    };
+    for scheme in [StressScheme::Usl, StressScheme::Musl, StressScheme::Usf] {
+        let usf = scheme == StressScheme::Usf;
+        assert!(warns(&scene(scheme, false, 0.1), &words), "{scheme:?}");
+        assert!(!warns(&scene(scheme, false, 0.0), &words), "{scheme:?}");
+        assert_eq!(warns(&scene(scheme, true, 0.1), &words), usf, "{scheme:?}");
+        assert!(!warns(&scene(scheme, true, 0.0), &words), "{scheme:?}");
+        // More than a cell apart.
+        let mut apart = scene(scheme, false, 0.1);
+        apart.bodies[1].shape = cuboid([0.23, 0.35, 0.0], [0.67, 0.91, 0.0]);
+        assert!(!warns(&apart, &words), "{scheme:?}");
+    }
+}
+
 /// Rows of generated scenes that were off by 3.9 %, 3.0 %, at the interface 5.6 % and 2.2 % of the pressure, and of others that
 /// were not by 1 %.
 #[test]

@@ -6,6 +6,8 @@ use proctor_kernel::model::{Damping, StressScheme, Transfer, TransferKind, Volum
 
 mod beside;
 mod between;
+mod coarse;
+mod driven;
 mod ground;
 mod layer;
 mod light;
@@ -41,6 +43,8 @@ pub(super) fn warnings(scene: &Scene) -> Vec<String> {
     all.extend(light::at_sides(scene));
     all.extend(light::swings(scene));
     all.extend(between::at_nodes(scene));
+    all.extend(coarse::collide_on_few_cells(scene));
+    all.extend(driven::hold_nodes(scene));
     all.extend(ground::overlaps(scene));
     all.extend(strain::large_strain(scene));
     all.extend(super::tension::warnings(scene));

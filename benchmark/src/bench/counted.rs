@@ -1,9 +1,15 @@
 //! Counted items: scenes, methods, parts of a step, laws, and features that do nothing.
 
-use proctor_benchmark::bench::scenes;
+use super::scenes;
+use super::sources::{Digest, Kept, Sources};
+use crate::record::{Record, Row};
 use proctor_scene::simulation::Part;
 use serde_json::{Value, json};
 use std::error::Error;
+use std::path::Path;
+
+/// Steps, or plays of a part, that are counted.
+pub const TIMES: usize = 12;
 
 /// Particles of a scene: enough that a step is the work on particles.
 const PARTICLES: usize = 8000;
@@ -12,19 +18,26 @@ const SLABS: &str = "slabs-";
 
 /// Something that is counted: a scene, and `step` or the part of a step that is played.
 pub struct Item {
+    /// Scene and methods, as in `moving-3d/step`.
     pub name: String,
+    /// The scene, in the language of scenes.
     pub scene: Value,
+    /// `step`, or the name of a part of a step.
     pub what: &'static str,
 }
 
 impl Item {
-    /// The name of its row.
+    /// The name of its row in a record.
+    #[must_use]
     pub fn row(&self) -> String {
         format!("instructions/{}", self.name)
     }
 }
 
 /// Scenes with whole steps, methods and single parts.
+///
+/// # Errors
+/// Where a scene of that name is missing.
 pub fn scenes_and_parts() -> Result<Vec<Item>, Box<dyn Error>> {
     let make = |name: &str| -> Result<Value, Box<dyn Error>> {
         let (scene, axes) = scenes::find(name).ok_or("no such scene")?;
@@ -73,7 +86,9 @@ pub fn scenes_and_parts() -> Result<Vec<Item>, Box<dyn Error>> {
 
 /// Features that do nothing, and the scene without them.
 pub struct Group {
+    /// The scene without a feature.
     pub base: Item,
+    /// The same scene with one feature each.
     pub features: Vec<Item>,
 }
 
@@ -92,6 +107,7 @@ impl Group {
 }
 
 /// All features that do nothing.
+#[must_use]
 pub fn features() -> Vec<Group> {
     let plain = plain();
     let with = |key: &str, value: Value| {
@@ -164,4 +180,59 @@ fn plain() -> Value {
             "initial_velocity": [1, 0.5, 0],
         }],
     })
+}
+
+/// Counts of an earlier record, with the digests of the sources that were counted then and of those of today.
+pub struct Earlier {
+    rows: Vec<Row>,
+    before: Kept,
+    sources: Sources,
+}
+
+impl Earlier {
+    /// Reads the sources below the folder of the workspace, and the record with its digests, where there is one.
+    ///
+    /// # Errors
+    /// That of a file that cannot be read.
+    pub fn read(
+        root: &Path,
+        compiler: &str,
+        record: Option<&Path>,
+    ) -> Result<Self, Box<dyn Error>> {
+        let (rows, before) = match record {
+            Some(path) => (Record::read(path)?.rows, Kept::read(&Kept::beside(path))?),
+            None => (vec![], Kept::default()),
+        };
+        Ok(Self {
+            rows,
+            before,
+            sources: Sources::read(root, compiler)?,
+        })
+    }
+
+    /// The sources of today.
+    #[must_use]
+    pub fn sources(&self) -> &Sources {
+        &self.sources
+    }
+
+    /// The digest of what an item depends on today, and its count where it is still that of these sources.
+    #[must_use]
+    pub fn count(&self, item: &Item) -> (Digest, Option<&Row>) {
+        let name = item.row();
+        let digest = (self.sources).of(&item.scene, &format!("{} {TIMES}", item.what));
+        let row = self.rows.iter().find(|row| row.name == name);
+        (digest, row.filter(|_| self.before.has(&name, digest)))
+    }
+
+    /// Names of all items that must be counted anew, those of features among them.
+    ///
+    /// # Errors
+    /// Where a scene is missing.
+    pub fn uncounted(&self) -> Result<Vec<String>, Box<dyn Error>> {
+        let features = features().into_iter().flat_map(|group| group.features);
+        let items = scenes_and_parts()?.into_iter().chain(features);
+        let changed = items.filter(|item| self.count(item).1.is_none());
+        Ok(changed.map(|item| item.name).collect())
+    }
 }
