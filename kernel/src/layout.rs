@@ -55,6 +55,8 @@ pub struct Layout {
     pub initial_half_length: Option<usize>,
     /// External force \[N\]: `axes` columns.
     pub force: Option<usize>,
+    /// Pore water: `axes` columns of its velocity \[m/s\], then pore pressure \[Pa\].
+    pub water: Option<usize>,
     /// First column of the internal variables of the law.
     pub variables: usize,
     /// These variables; their components lie one after the other.
@@ -80,6 +82,8 @@ pub struct Optional {
     pub force: bool,
     /// The hoop stretch beside the deformation gradient: the scene is axisymmetric.
     pub axisymmetric: bool,
+    /// Velocity of the pore water and pore pressure.
+    pub water: bool,
 }
 
 impl Layout {
@@ -110,6 +114,7 @@ impl Layout {
         let half_length = group(wanted.half_length, axes);
         let initial_half_length = group(wanted.initial_half_length, axes);
         let force = group(wanted.force, axes);
+        let water = group(wanted.water, axes + 1);
         let variables = next;
         next += law
             .iter()
@@ -124,6 +129,7 @@ impl Layout {
             half_length,
             initial_half_length,
             force,
+            water,
             variables,
             law,
             columns: next,
@@ -136,6 +142,13 @@ impl Layout {
     pub fn hoop_stretch(&self) -> Option<usize> {
         let first = self.deformation.filter(|_| self.axisymmetric)?;
         Some(first + self.axes * self.axes)
+    }
+
+    /// Column of the pore pressure \[Pa\], where there is water.
+    #[inline(always)]
+    #[must_use]
+    pub fn pore_pressure(&self) -> Option<usize> {
+        Some(self.water? + self.axes)
     }
 
     /// Number of stress components in two or three dimensions.
@@ -194,6 +207,8 @@ impl Layout {
             (self.half_length, "half-length", axes),
             (self.initial_half_length, "initial half-length", axes),
             (self.force, "force", axes),
+            (self.water, "water velocity", axes),
+            (self.water, "pore pressure", 1),
         ] {
             if group.is_some() {
                 add(name, width);

@@ -16,3 +16,4 @@ mod scene;
 mod surface;
 mod team;
 mod tension;
+mod water;

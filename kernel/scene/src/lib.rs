@@ -34,7 +34,7 @@ mod start_error;
 mod values;
 
 pub use values::{
-    Body, BodyEntry, Field, InitialStress, Location, MOST_CREEP, Material, NodalField, Overburden,
+    Body, BodyEntry, Field, InitialPressure, InitialStress, Location, MOST_CREEP, Material, NodalField, Overburden,
     Probe, ProbeTarget, ProbedQuantity, Problem, Results, Scene, SceneError, StateFile,
 };
 // What a scene is made of beside its own values.
@@ -44,7 +44,7 @@ pub use proctor_contact::{
 };
 pub use proctor_kernel::model::{
     BaseMotion, BoxLoad, Damping, Dimension, DomainUpdate, GroundBeyond, HeldBox, History, Mesh,
-    Motion, OnImbalance, Outside, ParticleSeed, PlaneCondition, PointLoad, Shape, StressScheme,
+    Motion, OnImbalance, Outside, ParticleSeed, PlaneCondition, PointLoad, PoreWater, Shape, StressScheme,
     TimeStep, Traction, Transfer, TransferKind, Vector, VolumetricStrain, Weighting,
 };
 

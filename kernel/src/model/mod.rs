@@ -5,6 +5,7 @@
 mod load;
 mod method;
 mod settings;
+mod water;
 
 pub use load::{BaseMotion, BoxLoad, GroundBeyond, HeldBox, History, Motion, PointLoad, Traction};
 pub use method::{
@@ -14,3 +15,4 @@ pub use method::{
 pub use proctor_geometry::mesh::{Mesh, PlaneCondition};
 pub use proctor_geometry::shape::{Dimension, ParticleSeed, Shape, Vector};
 pub use settings::{CycleSettings, OnImbalance, Outside, plane_acts};
+pub use water::{POROSITIES, PoreWater};

@@ -58,6 +58,8 @@ pub struct CycleSettings {
     pub radial_particles: usize,
     /// True where the motion of a body is prescribed.
     pub drives_bodies: bool,
+    /// Condition of each boundary plane for the pore water, where bodies have any.
+    pub water_planes: Option<[[PlaneCondition; 2]; 3]>,
     /// True where a body has a stress at the start.
     pub starts_stressed: bool,
     /// What happens to a particle that leaves the mesh.

@@ -147,8 +147,11 @@ impl Cycle {
     fn free_limits(&self) -> Limits {
         let mut wave_speed = 0.0_f64;
         let mut square = 0.0_f64;
-        for found in &self.state.found {
-            wave_speed = wave_speed.max(found.wave_speed());
+        for (index, found) in self.state.found.iter().enumerate() {
+            wave_speed = wave_speed.max(match &self.model.bodies[index].water {
+                None => found.wave_speed(),
+                Some(water) => self.fast_speed(index, water),
+            });
             square = square.max(found.speed_squared);
         }
         let particle_speed = square.sqrt();

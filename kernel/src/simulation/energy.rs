@@ -19,7 +19,7 @@ use crate::particles::ParticleSet;
 use crate::simulation::context::NodalConditions;
 use crate::simulation::measure::kinetic_energy;
 use crate::simulation::values::{Drift, Energy, Groups, StepError};
-use crate::stage::solve::{PlaneSums, is_ghost};
+use crate::stage::solve::{PlaneSums, Wall, is_ghost};
 use std::ops::Range;
 
 /// Cells that particles may have travelled since the last sort for the nodes in use to hold what they map.
@@ -40,7 +40,9 @@ impl Cycle {
     /// Begins the energy balance.
     pub(super) fn open_ledger(&mut self) {
         self.state.ledger.dead_load_origin = self.dead_load_potential();
-        self.state.ledger.initial_energy = self.kinetic_energy() + self.strain_energy();
+        let [kinetic, stored] = self.water_energies();
+        self.state.ledger.initial_energy =
+            self.kinetic_energy() + self.strain_energy() + (kinetic + stored);
         self.state.start_spin = self.spin();
     }
 
@@ -52,6 +54,7 @@ impl Cycle {
         ledger.friction += sums.friction;
         ledger.impact += sums.impact;
         ledger.absorbed += sums.absorbed;
+        ledger.drag += sums.drag;
     }
 
     /// The energy balance at the time of the positions. It costs about as much as a step, and changes nothing.
@@ -80,7 +83,8 @@ impl Cycle {
     fn balance(&self, missing: &HalfStep) -> Energy {
         let ledger = &self.state.ledger;
         let [kinetic, strain, load] = self.energies();
-        let kinetic = kinetic + missing.kinetic;
+        let [kinetic_of_water, water] = self.water_energies();
+        let kinetic = kinetic + kinetic_of_water + missing.kinetic;
         let external_work = ledger.external_work + load - ledger.dead_load_origin;
         // What is stored at the start is known from the first step on.
         let at_start = if self.state.clock.step == 0 {
@@ -88,13 +92,14 @@ impl Cycle {
         } else {
             0.0
         };
-        let present = kinetic + strain + missing.stored;
+        let present = kinetic + strain + missing.stored + water;
         let dissipated = ledger.initial_energy + at_start + external_work - present;
         let damping = ledger.damping + missing.sums.damping;
         let friction = ledger.friction + missing.sums.friction;
         let impact = ledger.impact + missing.sums.impact;
         let absorbed = ledger.absorbed + missing.sums.absorbed;
         let plastic = self.plastic_work();
+        let drag = ledger.drag + missing.sums.drag;
         Energy {
             kinetic,
             strain,
@@ -106,6 +111,8 @@ impl Cycle {
             impact,
             plastic,
             absorbed,
+            water,
+            drag,
             removed: ledger.removed,
             algorithmic: self.algorithmic_work(),
             remainder: dissipated
@@ -114,7 +121,8 @@ impl Cycle {
                 - impact
                 - plastic
                 - ledger.removed
-                - absorbed,
+                - absorbed
+                - drag,
         }
     }
 
@@ -174,14 +182,20 @@ impl Cycle {
         let grid = &self.work.grid;
         let driven = |body: usize| self.model.bodies[body].motion.is_some();
         let mut sum = 0.0;
-        for (node, line) in grid.free_nodes(driven) {
-            if is_ghost(&grid.shape, &nodal.walls, grid.shape.indices(node)) {
-                continue;
+        let mut add = |node: usize, line: &Line, walls: &[Wall]| {
+            if is_ghost(&grid.shape, walls, grid.shape.indices(node)) {
+                return;
             }
             for axis in 0..3 {
                 let (v, dv) = (line[1 + axis], line[4 + axis]);
                 sum += line[0] * dv * (v - 0.5 * dv);
             }
+        };
+        for (node, line) in grid.free_nodes(driven) {
+            add(node, line, &nodal.walls);
+        }
+        for (node, line) in grid.water_nodes() {
+            add(node, line, &nodal.water_walls);
         }
         sum
     }

@@ -40,6 +40,8 @@ pub enum Owner {
     Phase,
     /// One body, by its index.
     Body(usize),
+    /// The pore water of all bodies.
+    Water,
 }
 
 impl Owner {
@@ -48,7 +50,7 @@ impl Owner {
     #[inline]
     pub fn body(self) -> Option<usize> {
         match self {
-            Self::Phase => None,
+            Self::Phase | Self::Water => None,
             Self::Body(index) => Some(index),
         }
     }
@@ -84,7 +86,7 @@ impl VelocityField {
 pub struct Grid {
     /// Shape of each field.
     pub shape: GridShape,
-    /// The fields: that of the phase, then those of bodies in order of their identifiers.
+    /// The fields: that of the phase, those of bodies in order of their identifiers, then that of the pore water.
     pub fields: Vec<VelocityField>,
     /// Planes of each slab; together all planes.
     pub slabs: Vec<Range<usize>>,
@@ -92,6 +94,8 @@ pub struct Grid {
     pub joined: Vec<bool>,
     /// Who shares the slabs.
     pub team: Arc<Team>,
+    /// Whether bodies have water in their pores.
+    pub has_water: bool,
     least_share: usize,
     sorter: Sorter,
     cutting: PlaneCounts,
@@ -165,6 +169,7 @@ impl Grid {
             joined: vec![true],
             shape,
             team,
+            has_water: false,
             least_share: least_share.unwrap_or(LEAST_SHARE).max(1),
             sorter: Sorter::default(),
             cutting: PlaneCounts::default(),
@@ -196,9 +201,12 @@ impl Grid {
     /// where their particles are now.
     pub fn set_owners(&mut self, bodies: &[usize], sets: &[ParticleSet], stencil: usize) {
         let owners = self.fields[1..].iter().map(|field| field.owner);
-        if owners.eq(bodies.iter().map(|&body| Owner::Body(body))) {
-            for (field, &body) in self.fields[1..].iter_mut().zip(bodies) {
-                rows_of(&sets[body..=body], &self.shape, stencil, &mut field.rows);
+        let water = self.has_water.then_some(Owner::Water);
+        let wanted = bodies.iter().map(|&body| Owner::Body(body)).chain(water);
+        if owners.eq(wanted) {
+            for field in &mut self.fields[1..] {
+                let own = field.owner.body().map_or(sets, |body| &sets[body..=body]);
+                rows_of(own, &self.shape, stencil, &mut field.rows);
             }
             return;
         }
@@ -208,7 +216,8 @@ impl Grid {
             rows_of(&sets[body..=body], &self.shape, stencil, &mut rows);
             (Owner::Body(body), rows)
         };
-        let of_bodies: Vec<_> = bodies.iter().map(of_body).collect();
+        let mut of_bodies: Vec<_> = bodies.iter().map(of_body).collect();
+        of_bodies.extend(water.map(|water| (water, phase.1.clone())));
         let before = self.fields.len();
         self.set_rows(std::iter::once(phase).chain(of_bodies).collect());
         if (before > 1) != (self.fields.len() > 1) {
@@ -237,14 +246,30 @@ impl Grid {
         }
     }
 
-    /// Nodes with mass of the fields that move freely, with their index, field by field and row by row; `driven` says of a
+    /// Nodes with mass of the fields of bodies that move freely, with their index, field by field and row by row; `driven` says of a
     /// body whether its motion is prescribed.
     pub fn free_nodes(
         &self,
         driven: impl Fn(usize) -> bool,
     ) -> impl Iterator<Item = (usize, &Line)> {
-        let free = move |field: &VelocityField| !field.owner.body().is_some_and(&driven);
+        let free = move |field: &VelocityField| {
+            field.owner != Owner::Water && !field.owner.body().is_some_and(&driven)
+        };
         let numbers = (0..self.fields.len()).filter(move |number| free(&self.fields[*number]));
+        self.nodes_of(numbers)
+    }
+
+    /// The same of the pore water.
+    pub fn water_nodes(&self) -> impl Iterator<Item = (usize, &Line)> {
+        let numbers = 0..self.fields.len();
+        self.nodes_of(numbers.filter(|number| self.fields[*number].owner == Owner::Water))
+    }
+
+    /// Nodes with mass of the fields of these numbers.
+    fn nodes_of(
+        &self,
+        numbers: impl Iterator<Item = usize>,
+    ) -> impl Iterator<Item = (usize, &Line)> {
         numbers.flat_map(|number| {
             let lines = self.fields[number].nodes.lines();
             let nodes = self.fields[number].rows.nodes(&self.shape).flatten();

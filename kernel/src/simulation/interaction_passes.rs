@@ -125,7 +125,7 @@ impl Cycle {
                 .position(|&owner| owner == body)
                 .map(|at| 1 + at)
         };
-        let count = 1 + owners.len();
+        let count = 1 + owners.len() + usize::from(self.work.grid.has_water);
         let mut joined = std::mem::take(&mut self.work.grid.joined);
         joined.clear();
         joined.resize(count * count, true);

@@ -1,6 +1,8 @@
 //! The mapping of particles to the nodes of their velocity fields.
 
+use super::context::StepContext;
 use super::fields::{Owner, Slab, SlabField};
+use super::water;
 use crate::grid::{GHOSTS_BELOW, GridShape};
 use crate::lanes::Selected;
 use crate::layout::Layout;
@@ -10,7 +12,7 @@ use crate::plan::Plan;
 use crate::simulation::values::BodyRun;
 use crate::stage::g2p::Affine;
 use crate::stage::p2g::{self, Carry, P2g, P2gFn};
-use crate::stage::solve::{Planes, Wall};
+use crate::stage::solve::Planes;
 use crate::weights::{
     Family, axis_weights_at, base_node, mean_of_hat, reached, round_off_weight, spline_touching,
 };
@@ -112,6 +114,7 @@ impl ParticleToGrid<'_> {
         let bodies = own.filter(|&(index, own)| match owner {
             Owner::Body(body) => body == index,
             Owner::Phase => !own && self.bodies[index].motion.is_none(),
+            Owner::Water => false,
         });
         let mut rates = bodies.map(|(index, _)| self.bodies[index].viscous_rate);
         let first = rates.next()?;
@@ -122,6 +125,10 @@ impl ParticleToGrid<'_> {
     pub(super) fn run_field(&self, field: &mut SlabField<'_>) -> usize {
         let planes = &mut field.planes;
         let groups = match field.owner {
+            Owner::Water => {
+                water::map(self, planes, self.free.carry);
+                return 0;
+            }
             Owner::Body(body) => self.map(body, planes),
             Owner::Phase => {
                 let mut groups = 0;
@@ -215,10 +222,10 @@ impl ParticleToGrid<'_> {
 }
 
 /// After the first mapping of a step: what lies beyond the walls folded back, and velocities from momenta.
-pub(super) fn fold(slab: &mut Slab<'_>, walls: &[Wall]) {
-    for planes in slab.planes() {
-        planes.fold(walls, true, true);
-        planes.velocities();
+pub(super) fn fold(slab: &mut Slab<'_>, context: &StepContext<'_>) {
+    for field in &mut slab.fields {
+        field.planes.fold(context.walls_of(field.owner), true, true);
+        field.planes.velocities();
     }
 }
 
@@ -261,7 +268,7 @@ pub fn node_weights(
 }
 
 /// Weights along one axis at the nodes of a stencil of three or four.
-fn axis_weights_of(family: Family, stencil: usize, xi: f64, l: f64) -> [f64; 4] {
+pub(super) fn axis_weights_of(family: Family, stencil: usize, xi: f64, l: f64) -> [f64; 4] {
     if stencil == 3 {
         let (_, [u, v, w], _) = axis_weights_at::<3>(family, xi, l);
         [u, v, w, 0.0]

@@ -171,7 +171,7 @@ impl Cycle {
     fn add_each<const K: usize>(
         &self,
         set: &ParticleSet,
-        term: impl Fn(usize) -> [f64; K] + Send + Sync,
+        term: impl Fn(usize) -> [f64; K] + Sync,
         mut add: impl FnMut([f64; K]),
     ) {
         let mut kept = self.order();
@@ -210,6 +210,13 @@ impl Cycle {
         for set in &self.state.sets {
             self.add_each(set, |p| [term(set, p)], |[x]| sum.add(x));
         }
+        sum.value()
+    }
+
+    /// Sum over the particles of a set in order of the identifier.
+    pub(super) fn sum_over(&self, set: &ParticleSet, term: impl Fn(usize) -> f64 + Sync) -> f64 {
+        let mut sum = CompensatedSum::default();
+        self.add_each(set, |p| [term(p)], |[x]| sum.add(x));
         sum.value()
     }
 

@@ -33,6 +33,7 @@ mod step_view;
 mod tension;
 mod traction_cover;
 mod values;
+mod water;
 mod work_state;
 
 pub use crate::grid::{GridShape, Line};
@@ -120,7 +121,7 @@ impl Cycle {
     /// Number of velocity fields beside that of the phase: bodies with a boundary, or near a partner of contact.
     #[must_use]
     pub fn contact_layers(&self) -> usize {
-        self.work.grid.fields.len() - 1
+        self.work.grid.fields.len() - 1 - usize::from(self.work.grid.has_water)
     }
 
     /// Time of positions and stresses \[s\].

@@ -4,6 +4,7 @@ use super::fields::{Owner, Slab};
 use super::interactions::{SlabInteraction, SlabPart};
 use super::mapping::fold;
 use super::phase::{Phase, PhaseTimer};
+use super::water;
 use crate::grid::Line;
 use crate::model::Vector;
 use crate::simulation::context::{FieldNodes, Remap, StepContext, at_half_step_after};
@@ -66,6 +67,7 @@ pub(super) fn solve(
     sums: &mut SlabSums,
 ) -> Result<(), EmptyNode> {
     let amid = Phase::P2gAndSolve;
+    water::split(slab, context);
     interactions.act(amid, |part| part.mapped(slab, context));
     sums.begin(slab.range().len());
     for number in 0..slab.fields.len() {
@@ -79,9 +81,9 @@ pub(super) fn solve(
     interactions.act(amid, |part| {
         part.correct(slab, context, &mut sums.planes);
     });
-    for planes in slab.planes() {
-        planes.unfold(&context.walls, true);
-    }
+    water::drag(slab, context, &mut sums.planes);
+    unfold(slab, context, true);
+    water::share_beyond(slab, context);
     if !context.settles {
         add_sums(slab, context, sums);
     }
@@ -95,18 +97,19 @@ fn equation_of_motion(field: &mut FieldNodes<'_, '_>) -> Result<(), EmptyNode> {
         prescribe(field.parts().0, velocities, &context.walls);
         return Ok(());
     }
-    for condition in context.conditions {
+    let owner = field.owner();
+    for condition in context.conditions_of(owner) {
         condition.before(field)?;
     }
     let by = context.acceleration();
-    let driven = match field.owner() {
+    let driven = match owner {
         Owner::Phase => &context.nodal.driven[..],
-        Owner::Body(_) => &[],
+        Owner::Body(_) | Owner::Water => &[],
     };
     let (planes, _, sums) = field.parts();
-    planes.leave_out_prescribed(&by, &context.walls, [&context.nodal.held, driven], sums);
+    planes.leave_out_prescribed(&by, context.walls_of(owner), [&context.nodal.held, driven], sums);
     planes.accelerate(&by, sums);
-    for condition in context.conditions {
+    for condition in context.conditions_of(owner) {
         condition.after(field);
     }
     Ok(())
@@ -114,11 +117,16 @@ fn equation_of_motion(field: &mut FieldNodes<'_, '_>) -> Result<(), EmptyNode> {
 
 /// Ghost nodes of all fields, and the sums of each plane with the velocities that they hold.
 pub(super) fn sums_after(slab: &mut Slab<'_>, context: &StepContext<'_>, sums: &mut SlabSums) {
-    for planes in slab.planes() {
-        planes.unfold(&context.walls, true);
-    }
+    unfold(slab, context, true);
     sums.begin(slab.range().len());
     add_sums(slab, context, sums);
+}
+
+/// Fills the ghost nodes of all fields.
+fn unfold(slab: &mut Slab<'_>, context: &StepContext<'_>, increments: bool) {
+    for field in &mut slab.fields {
+        (field.planes).unfold(context.walls_of(field.owner), increments);
+    }
 }
 
 /// Adds the sums of all fields whose motion is not prescribed to those of the planes.
@@ -140,7 +148,7 @@ fn add_sums(
             let planes = &slab.fields[number].planes;
             planes.measure(context.nodal.kick, of_field);
         }
-        for condition in context.conditions {
+        for condition in context.conditions_of(slab.fields[number].owner) {
             condition.settled(&mut FieldNodes {
                 slab,
                 number,
@@ -170,7 +178,7 @@ pub(super) fn solve_remapped(
             planes.constrain_remapped(&context.walls);
         } else {
             context.mapping.run_field(field);
-            field.planes.fold_remapped(&context.walls);
+            field.planes.fold_remapped(context.walls_of(field.owner));
             field.planes.remapped_velocities();
             remap_conditions(slab, number, context);
         }
@@ -178,8 +186,8 @@ pub(super) fn solve_remapped(
     // Contact keeps to the planes once the fields do; the ghosts are filled after it.
     interactions.act(Phase::Remap, |part| {
         part.correct_remapped(slab, context);
-        for planes in slab.planes() {
-            planes.constrain_remapped(&context.walls);
+        for field in &mut slab.fields {
+            (field.planes).constrain_remapped(context.walls_of(field.owner));
         }
     });
 }
@@ -191,9 +199,9 @@ pub(super) fn solve_mapped(
     context: &StepContext<'_>,
 ) {
     context.mapping.run(slab);
-    for planes in slab.planes() {
-        planes.fold(&context.walls, true, false);
-        planes.velocities();
+    for field in &mut slab.fields {
+        (field.planes).fold(context.walls_of(field.owner), true, false);
+        field.planes.velocities();
     }
     interactions.act(Phase::Remap, |part| part.mapped(slab, context));
     for number in 0..slab.fields.len() {
@@ -207,20 +215,19 @@ pub(super) fn solve_mapped(
     interactions.act(Phase::Remap, |part| {
         part.correct_remapped(slab, context);
     });
-    for planes in slab.planes() {
-        planes.unfold(&context.walls, false);
-    }
+    unfold(slab, context, false);
 }
 
 /// Conditions on the velocities of a field that were mapped a second time.
 fn remap_conditions(slab: &mut Slab<'_>, number: usize, context: &StepContext<'_>) {
+    let owner = slab.fields[number].owner;
     let mut field = FieldNodes {
         slab,
         number,
         context,
         sums: &mut [],
     };
-    for condition in context.conditions {
+    for condition in context.conditions_of(owner) {
         condition.remap(&mut field);
     }
 }
@@ -255,7 +262,7 @@ impl StepContext<'_> {
     /// particles that the slab owns.
     pub(super) fn map(&self, slab: &mut Slab<'_>) -> usize {
         let groups = self.mapping.run(slab);
-        fold(slab, &self.walls);
+        fold(slab, self);
         groups
     }
 

@@ -24,7 +24,7 @@ const SORT_AFTER: f64 = 0.45;
 const SORT_AFTER_GROUPS: f64 = 0.5;
 
 /// `count` particles in shares of about the same size, `most` at most.
-fn shares(count: usize, most: usize) -> impl ExactSizeIterator<Item = Range<usize>> {
+pub(super) fn shares(count: usize, most: usize) -> impl ExactSizeIterator<Item = Range<usize>> {
     let shares = count.div_ceil(most.max(1)).max(1);
     (0..shares).map(move |share| count * share / shares..count * (share + 1) / shares)
 }
@@ -210,7 +210,7 @@ impl Cycle {
         let mut solved = self.solved();
         let VisitParts { context, grid, .. } = self.divide(Carry::All, nodal);
         grid.visit_with(solved.iter_mut(), |mut slab, solved| {
-            fold(&mut slab, &context.walls);
+            fold(&mut slab, &context);
             let none = SlabInteractions::none();
             solved.empty = solve(&mut slab, none, &context, &mut solved.sums).err();
         });

@@ -43,6 +43,7 @@ impl Cycle {
             start.interactions,
             model.bodies.len(),
         );
+        work.grid.has_water = model.bodies.iter().any(|body| body.water.is_some());
         let accelerations = start.sets.iter().map(largest_acceleration);
         work.load_acceleration = accelerations.fold(0.0, f64::max);
         let mut simulation = Self {

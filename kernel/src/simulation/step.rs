@@ -2,6 +2,7 @@
 
 use super::Cycle;
 use super::interactions::Interaction;
+use super::water::WaterTask;
 use super::phase::{Phase, PhaseObserver, PhaseTimer};
 use crate::laws::tensor::Configuration;
 use crate::layout::Layout;
@@ -90,10 +91,24 @@ impl Cycle {
         self.move_boundaries(&conditions, &drift);
         self.move_absorbing(&drift)?;
         match self.model.plan.scheme {
-            StressScheme::Usl => self.g2p(Pass::All, &drift)?,
+            StressScheme::Usl => {
+                self.gather_water(WaterTask {
+                    kick: true,
+                    compress: Some((drift.time, 1)),
+                })?;
+                self.g2p(Pass::All, &drift)?;
+            }
             StressScheme::Musl => {
+                self.gather_water(WaterTask {
+                    kick: true,
+                    compress: None,
+                })?;
                 self.g2p(Pass::Kick, &drift)?;
                 self.remap(&mut conditions, Remap::OldPositions)?;
+                self.gather_water(WaterTask {
+                    kick: false,
+                    compress: Some((drift.time, 4)),
+                })?;
                 self.g2p(Pass::MoveAndStrain, &drift)?;
             }
             StressScheme::Usf => {

@@ -96,6 +96,8 @@ pub struct PlaneSums {
     pub impact: f64,
     /// Energy that left through absorbing planes over the kick \[J\].
     pub absorbed: f64,
+    /// What the drag between pore water and skeleton took over the kick \[J\].
+    pub drag: f64,
 }
 
 impl AddAssign<&Self> for PlaneSums {
@@ -107,6 +109,7 @@ impl AddAssign<&Self> for PlaneSums {
         self.friction += other.friction;
         self.impact += other.impact;
         self.absorbed += other.absorbed;
+        self.drag += other.drag;
     }
 }
 

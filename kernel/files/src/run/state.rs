@@ -2,6 +2,7 @@
 
 use super::RunError;
 use crate::output::{Checkpoint, CheckpointError};
+use proctor_kernel::particles::ParticleSet;
 use proctor_kernel::stage::g2p::ParticleMaxima;
 use proctor_scene::simulation::{
     AbsorbingNode, Clock, EnergyLedger, Event, EventKind, Extremes, Groups, Invariant,
@@ -40,6 +41,7 @@ pub(super) fn save(simulation: &Simulation) -> Checkpoint {
     let bodies = simulation.scene().bodies.iter();
     checkpoint.push::<i64>("bodies", bodies.map(|body| body.id).collect());
     let state = saved.state;
+    let wet = is_wet(&state.sets);
     for (i, (set, found)) in state.sets.into_iter().zip(state.found).enumerate() {
         checkpoint.push::<f64>(
             format!("set{i}/found"),
@@ -73,6 +75,9 @@ pub(super) fn save(simulation: &Simulation) -> Checkpoint {
     save_events(&state.events, &mut checkpoint);
     save_trust(&state.invariants, &mut checkpoint);
     save_absorbing(&state.absorbing, state.ledger.absorbed, &mut checkpoint);
+    if wet {
+        checkpoint.push::<f64>(DRAG, vec![state.ledger.drag]);
+    }
     let extremes = vec![
         state.extremes.volume_change,
         state.extremes.stretch_ratio,
@@ -183,6 +188,7 @@ fn read(checkpoint: &Checkpoint, like: Saved) -> Result<Saved, CheckpointError> 
             impact: numbers[16],
             removed: numbers[17],
             absorbed: 0.0,
+            drag: 0.0,
         },
         mesh_shift: [numbers[11], numbers[12], numbers[13]],
         ..like.state
@@ -209,6 +215,9 @@ fn read(checkpoint: &Checkpoint, like: Saved) -> Result<Saved, CheckpointError> 
     }
     state.events = read_events(checkpoint)?;
     state.ledger.absorbed = read_absorbing(checkpoint, &mut state.absorbing)?;
+    if is_wet(&state.sets) {
+        state.ledger.drag = checkpoint.array::<f64>(DRAG, 1)?[0];
+    }
     state.invariants = read_trust(checkpoint)?;
     let extremes = checkpoint.array::<f64>("extremes/numbers", 3)?;
     state.extremes = Extremes {
@@ -300,6 +309,14 @@ fn save_absorbing(nodes: &[AbsorbingNode], absorbed: f64, checkpoint: &mut Check
 }
 
 /// The energy that left through absorbing planes \[J\]; their nodes in the place of those of the start.
+/// Section of the energy that drag of pore water took \[J\].
+const DRAG: &str = "water/drag";
+
+/// Whether particles have water in their pores.
+fn is_wet(sets: &[ParticleSet]) -> bool {
+    sets.iter().any(|set| set.layout.water.is_some())
+}
+
 fn read_absorbing(
     checkpoint: &Checkpoint,
     nodes: &mut [AbsorbingNode],

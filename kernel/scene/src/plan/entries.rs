@@ -107,6 +107,18 @@ pub(super) fn describe(plan: &Plan, scene: &Scene, demands: PlanOptions) -> Vec<
         },
         "no box load and no body force",
     );
+    if scene.has_water() {
+        list.keep(
+            "particle field",
+            "water velocity, pore pressure",
+            "`n_phases` is 2: bodies have water in their pores",
+        );
+        list.keep(
+            "stage",
+            "pore water",
+            "a velocity field of its own, drag implicit at the nodes; (w - v) . grad w is left out",
+        );
+    }
     let mut variables: Vec<String> = vec![];
     for body in &scene.bodies {
         let law = scene.law_of(body);

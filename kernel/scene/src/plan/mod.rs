@@ -60,6 +60,7 @@ pub fn plan(scene: &Scene, demands: PlanOptions) -> Plan {
                     initial_half_length: domain_update.is_some(),
                     force: own_force,
                     axisymmetric: scene.mesh.axisymmetric,
+                    water: scene.water_of(body.material).is_some(),
                 },
                 law.variables(),
             )

@@ -4,6 +4,7 @@ mod initial_stress;
 mod memory_budget;
 mod memory_estimate;
 mod options;
+mod pressure;
 mod start_state;
 
 pub use memory_estimate::{MemoryEstimate, estimate_memory};
@@ -69,6 +70,7 @@ pub(crate) fn set_up(scene: &Scene, options: &Options) -> Result<Cycle, SetupErr
             });
         }
         initial_stress::set(&mut set, scene, i, &run, &mut found)?;
+        pressure::set(&mut set, scene, i);
         if let Some(initial) = &options.initial {
             start_from(&mut set, scene, &run, &mut found, initial.as_ref());
         }
@@ -182,13 +184,15 @@ fn fill_body(
     let law = law.in_cells(scene.size_of_cell()).unwrap_or(law);
     let layout = plan.layouts[index];
     let axes = plan.axes;
+    let water = scene.water_of(body.material);
+    let density = water.map_or(material.density, |water| water.dry_density());
     let mut set = ParticleSet::zeros(layout, first_id, filled.volume.len());
-    set.columns[Layout::MASS] = filled.volume.iter().map(|v| v * material.density).collect();
+    set.columns[Layout::MASS] = filled.volume.iter().map(|v| v * density).collect();
     set.columns[Layout::VOLUME] = if law.needs_deformation() || plan.domain_update.is_some() {
         // As the cycle will form it from F = 1, so that a body at rest keeps its bits.
         set.columns[Layout::MASS]
             .iter()
-            .map(|m| m * (1.0 / material.density))
+            .map(|m| m * (1.0 / density))
             .collect()
     } else {
         filled.volume
@@ -196,6 +200,9 @@ fn fill_body(
     for axis in 0..axes {
         set.columns[Layout::POSITION + axis].copy_from_slice(&filled.x[axis]);
         set.columns[Layout::velocity(axes) + axis].fill(body.velocity[axis]);
+        if let Some(first) = layout.water {
+            set.columns[first + axis].fill(body.velocity[axis]);
+        }
         if let Some(first) = layout.displacement_origin {
             set.columns[first + axis].copy_from_slice(&filled.x[axis]);
         }
@@ -232,7 +239,7 @@ fn fill_body(
         .iter()
         .copied()
         .fold(f64::INFINITY, f64::min);
-    let wave_speed_squared = law.wave_speed(material.density).powi(2);
+    let wave_speed_squared = law.wave_speed(density).powi(2);
     let young = law.young();
     let run = BodyRun {
         name: body.name.clone(),
@@ -240,14 +247,14 @@ fn fill_body(
         shape: body.shape.clone(),
         material_id: material.id,
         law,
-        density: material.density,
+        density,
         mapping,
         domain_update: plan.domain_update,
         motion: body.motion.clone(),
         keeps_shape: body.motion.is_some(),
         viscous_rate: plan
             .viscous_damping
-            .map_or(0.0, |alpha| alpha / h * (young / material.density).sqrt()),
+            .map_or(0.0, |alpha| alpha / h * (young / density).sqrt()),
         particle_half_length: match &filled.half_length {
             HalfLength::Uniform(l) => *l,
             HalfLength::PerParticle(l) => {
@@ -259,6 +266,7 @@ fn fill_body(
             _ => None,
         },
         step_share: scene.step_share(body),
+        water,
     };
     let found = ParticleMaxima {
         speed_squared: speed.max(run.fastest()),

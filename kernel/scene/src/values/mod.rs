@@ -13,6 +13,7 @@ mod initial_stress;
 mod material;
 mod mortar;
 mod overburden;
+mod pressure;
 mod results;
 mod state_file;
 
@@ -23,6 +24,7 @@ pub use initial_stress::InitialStress;
 pub use material::Material;
 pub use mortar::MOST_CREEP;
 pub use overburden::Overburden;
+pub use pressure::InitialPressure;
 pub use results::{Field, NodalField, Probe, ProbeTarget, ProbedQuantity, Results};
 pub use state_file::StateFile;
 
@@ -30,7 +32,7 @@ use proctor_contact::{Contact, ContactValues, Mortar, PlannedBody, RigidSurface}
 use proctor_kernel::laws::AnyLaw;
 use proctor_kernel::model::{
     BaseMotion, BoxLoad, CycleSettings, Damping, Dimension, GroundBeyond, HeldBox, Mesh,
-    OnImbalance, Outside, PointLoad, StressScheme, TimeStep, Traction, Transfer, TransferKind,
+    OnImbalance, Outside, PlaneCondition, PointLoad, PoreWater, StressScheme, TimeStep, Traction, Transfer, TransferKind,
     Vector, VolumetricStrain, Weighting, plane_acts,
 };
 
@@ -61,6 +63,13 @@ pub struct Scene {
     pub volumetric_strain: VolumetricStrain,
     /// Materials; bodies refer to them by index.
     pub materials: Vec<Material>,
+    /// Water in the pores of each material, by its index; empty where there is one phase. The density of the grains is that of
+    /// the material.
+    pub pore_water: Vec<Option<PoreWater>>,
+    /// Condition of each boundary plane for the pore water, as those of the mesh are for bodies; `Sliding` lets none through.
+    pub water_planes: [[PlaneCondition; 2]; 3],
+    /// Pore pressures at the start.
+    pub initial_pressures: Vec<InitialPressure>,
     /// Bodies, in the order of the file.
     pub bodies: Vec<Body>,
     /// The run from whose end bodies begin, if any.
@@ -125,6 +134,9 @@ impl Scene {
             transfer: Transfer::new(TransferKind::Flip),
             volumetric_strain: VolumetricStrain::Particle,
             materials: Vec::new(),
+            pore_water: Vec::new(),
+            water_planes: [[PlaneCondition::Sliding; 2]; 3],
+            initial_pressures: Vec::new(),
             bodies: Vec::new(),
             initial_state: None,
             surfaces: Vec::new(),
@@ -155,6 +167,22 @@ impl Scene {
             _ => law.pressed(),
         };
         pressed.unwrap_or_else(|| law.clone())
+    }
+
+    /// Whether materials have water in their pores.
+    #[must_use]
+    pub fn has_water(&self) -> bool {
+        !self.pore_water.is_empty()
+    }
+
+    /// Water in the pores of a material, by its index, with the density of its grains.
+    #[must_use]
+    pub fn water_of(&self, material: usize) -> Option<PoreWater> {
+        let water = (*self.pore_water.get(material)?)?;
+        Some(PoreWater {
+            grain_density: self.materials[material].density,
+            ..water
+        })
     }
 
     /// Size of a cell \[m\]: its side, or the mean of sides that differ, that of the cube as large.
@@ -221,6 +249,7 @@ impl Scene {
                 .bodies
                 .first()
                 .map_or(1, |body| body.particles_per_cell[0]),
+            water_planes: self.has_water().then_some(self.water_planes),
             drives_bodies: bodies.clone().any(|body| body.motion.is_some()),
             starts_stressed: self.initial_state.is_some()
                 || bodies.any(|body| body.initial_stress != InitialStress::None),

@@ -6,7 +6,7 @@ use crate::grid::GridShape;
 use crate::model::{CycleSettings, History, Traction, Vector, Weighting};
 use crate::simulation::Cycle;
 use crate::simulation::context::{Condition, FieldNodes, NodalConditions};
-use crate::simulation::fields::SlabField;
+use crate::simulation::fields::{Owner, SlabField};
 use crate::simulation::history::value;
 use crate::simulation::step_view::StepView;
 use crate::simulation::values::SetupError;
@@ -150,7 +150,8 @@ impl NodalLoads {
         for load in all.filter(|load| (first..last).contains(&load.node)) {
             let [plane, row, k] = shape.indices(load.node);
             let mass = |field: &SlabField<'_>| {
-                let free = now.prescribed(field.owner).is_none();
+                let free =
+                    field.owner != Owner::Water && now.prescribed(field.owner).is_none();
                 if free && field.planes.rows.span(plane, row).contains(&k) {
                     field.planes.nodes[load.node - first][0]
                 } else {

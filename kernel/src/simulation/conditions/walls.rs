@@ -11,7 +11,11 @@ use crate::stage::solve::Wall;
 use std::sync::Arc;
 
 /// The planes that are not free.
-struct Walls(Vec<Wall>);
+struct Walls {
+    walls: Vec<Wall>,
+    /// Those that the pore water meets.
+    water: Vec<Wall>,
+}
 
 /// Boundary planes.
 pub(super) const PLANES: ConditionType = ConditionType {
@@ -40,10 +44,18 @@ pub(super) const PLANES: ConditionType = ConditionType {
 };
 
 fn of(settings: &CycleSettings, shape: &GridShape) -> Option<ConditionResult> {
+    let walls = walls_of(&settings.mesh.planes, shape);
+    let water = settings.water_planes.as_ref();
+    let water = water.map_or_else(Vec::new, |planes| walls_of(planes, shape));
+    let act = !walls.is_empty() || !water.is_empty() || settings.base_motion.is_some();
+    act.then(|| Ok(Arc::new(Walls { walls, water }) as _))
+}
+
+/// The planes that are not free.
+fn walls_of(planes: &[[PlaneCondition; 2]; 3], shape: &GridShape) -> Vec<Wall> {
     let mut walls = vec![];
-    for axis in 0..shape.axes {
-        for side in 0..2 {
-            let condition = settings.mesh.planes[axis][side];
+    for (axis, sides) in planes.iter().enumerate().take(shape.axes) {
+        for (side, &condition) in sides.iter().enumerate() {
             if condition != PlaneCondition::Free {
                 walls.push(Wall {
                     axis,
@@ -56,26 +68,34 @@ fn of(settings: &CycleSettings, shape: &GridShape) -> Option<ConditionResult> {
             }
         }
     }
-    let act = !walls.is_empty() || settings.base_motion.is_some();
-    act.then(|| Ok(Arc::new(Walls(walls)) as _))
+    walls
 }
 
 impl Condition for Walls {
+    fn acts_on_water(&self) -> bool {
+        true
+    }
+
     fn prescribe(&self, _: &StepView<'_>, nodal: &mut NodalConditions) {
-        nodal.walls.extend(self.0.iter().copied());
+        nodal.walls.extend(self.walls.iter().copied());
+        nodal.water_walls.extend(self.water.iter().copied());
     }
 
     fn after(&self, field: &mut FieldNodes<'_, '_>) {
+        let owner = field.owner();
         let (planes, context, sums) = field.parts();
-        planes.add_power_of_walls(&context.walls, context.nodal.kick, sums);
-        planes.constrain(&context.walls, true);
+        let walls = context.walls_of(owner);
+        planes.add_power_of_walls(walls, context.nodal.kick, sums);
+        planes.constrain(walls, true);
     }
 
     fn remap(&self, field: &mut FieldNodes<'_, '_>) {
+        let owner = field.owner();
         let (planes, context, _) = field.parts();
+        let walls = context.walls_of(owner);
         match context.remap {
-            Some(Remap::OldPositions) => planes.constrain_remapped(&context.walls),
-            _ => planes.constrain(&context.walls, false),
+            Some(Remap::OldPositions) => planes.constrain_remapped(walls),
+            _ => planes.constrain(walls, false),
         }
     }
 }

@@ -4,6 +4,7 @@ mod nodes;
 
 pub use nodes::{FieldNodes, Node};
 
+use super::fields::Owner;
 use super::mapping::ParticleToGrid;
 use crate::model::Vector;
 use crate::particles::ParticleSet;
@@ -39,6 +40,11 @@ pub trait Condition: Send + Sync {
         Ok(())
     }
 
+    /// True if it acts on the pore water too, which has a velocity of its own.
+    fn acts_on_water(&self) -> bool {
+        false
+    }
+
     /// Changes velocities after the acceleration, before contact.
     fn after(&self, _field: &mut FieldNodes<'_, '_>) {}
 
@@ -55,6 +61,8 @@ pub trait Condition: Send + Sync {
 pub struct NodalConditions {
     /// Boundary planes with a condition, by axis and side, with their velocities.
     pub walls: Walls,
+    /// The same for the pore water. None of these moves.
+    pub water_walls: Walls,
     /// Velocities half a step before and after of each body whose motion is prescribed \[m/s\], by its place in the scene.
     pub prescribed: Vec<Option<[Vector; 2]>>,
     /// Forces of loads on nodes that change with time, with those that do not, in order of the nodes \[N\].
@@ -144,6 +152,22 @@ impl<'a> StepContext<'a> {
     #[inline]
     pub fn walls(&self) -> &[Wall] {
         &self.walls
+    }
+
+    /// Those for the water, or those for what it flows through.
+    #[must_use]
+    #[inline]
+    pub(super) fn walls_of(&self, owner: Owner) -> &[Wall] {
+        match owner {
+            Owner::Water => &self.nodal.water_walls,
+            Owner::Phase | Owner::Body(_) => &self.walls,
+        }
+    }
+
+    /// Conditions that act on a field.
+    pub(super) fn conditions_of(&self, owner: Owner) -> impl Iterator<Item = &'a Arc<dyn Condition>> + use<'a> {
+        let water = owner == Owner::Water;
+        (self.conditions.iter()).filter(move |condition| !water || condition.acts_on_water())
     }
 
     /// Velocities half a step before and after of bodies whose motion is prescribed \[m/s\].

@@ -38,7 +38,9 @@ impl<'s, 'a> FieldNodes<'s, 'a> {
     /// Calls `act` for every node with mass, in order. What lies beyond a boundary plane with a condition mirrors what
     /// lies inside, and is left out.
     pub fn for_each(&mut self, mut act: impl FnMut(&mut Node<'_>)) {
+        let owner = self.owner();
         let (planes, context, sums) = self.parts();
+        let walls = context.walls_of(owner);
         let (lane, shape) = (context.lane(), planes.shape);
         let first = planes.range.start * shape.plane_nodes();
         for (number, plane) in planes.range.clone().enumerate() {
@@ -48,7 +50,7 @@ impl<'s, 'a> FieldNodes<'s, 'a> {
                     let at = [plane, row, k];
                     let index = shape.index(at);
                     let line = &mut planes.nodes[index - first];
-                    if line[0] > 0.0 && !is_ghost(shape, &context.walls, at) {
+                    if line[0] > 0.0 && !is_ghost(shape, walls, at) {
                         let local = shape.position(index);
                         let mut node = Node {
                             position: std::array::from_fn(|axis| {
@@ -70,7 +72,7 @@ impl<'s, 'a> FieldNodes<'s, 'a> {
         }
         if context.remap == Some(Remap::OldPositions) {
             // The planes have the last word, and what lies beyond them follows.
-            planes.constrain_remapped(&context.walls);
+            planes.constrain_remapped(walls);
         }
     }
 

@@ -1,7 +1,7 @@
 //! A body in the cycle, beside its particles.
 
 use crate::laws::AnyLaw;
-use crate::model::{DomainUpdate, History, Shape, Vector};
+use crate::model::{DomainUpdate, History, PoreWater, Shape, Vector};
 use crate::stage::Mapping;
 
 /// A body in the cycle, beside its particles.
@@ -17,7 +17,7 @@ pub struct BodyRun {
     pub material_id: i64,
     /// Its law.
     pub law: AnyLaw,
-    /// Initial density \[kg/m³\].
+    /// Initial density, of the grains alone where there is pore water \[kg/m³\].
     pub density: f64,
     /// Its weighting functions.
     pub mapping: Mapping,
@@ -36,6 +36,8 @@ pub struct BodyRun {
     pub reach: Option<[f64; 3]>,
     /// Share of the largest stable step of the method that it bears.
     pub step_share: f64,
+    /// Water in its pores.
+    pub water: Option<PoreWater>,
 }
 
 impl BodyRun {

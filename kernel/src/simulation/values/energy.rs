@@ -9,9 +9,11 @@ pub struct Energy {
     pub strain: f64,
     /// Energy that interactions store, such as the normal laws of contact.
     pub contact: f64,
+    /// Energy that compressed pore water stores.
+    pub water: f64,
     /// Work of gravity, loads, moving planes and whatever else has a prescribed velocity since the start.
     pub external_work: f64,
-    /// Missing energy: that of the start plus external work less what is there now. It is the sum of the seven that
+    /// Missing energy: that of the start plus external work less what is there now. It is the sum of the eight that
     /// follow.
     pub dissipated: f64,
     /// Energy taken by local, viscous and kinetic damping.
@@ -24,6 +26,8 @@ pub struct Energy {
     pub plastic: f64,
     /// Energy that left through absorbing planes.
     pub absorbed: f64,
+    /// Energy that the drag between pore water and skeleton took.
+    pub drag: f64,
     /// Energy that left with removed particles, with what had been dissipated in them.
     pub removed: f64,
     /// Energy that no channel accounts for; negative where energy came from nowhere.

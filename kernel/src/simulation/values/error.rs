@@ -3,6 +3,7 @@
 use super::invariants::Violation;
 use super::tension::Tension;
 use crate::memory::OutOfMemory;
+use crate::model::POROSITIES;
 use crate::number::Number;
 use crate::simulation::values::ParticleAt;
 use std::any::Any;
@@ -232,6 +233,13 @@ pub enum StepErrorKind {
         /// Mean displacement along the normal \[m\].
         displacement: f64,
     },
+    /// The porosity of a particle became one that no soil has.
+    Porosity {
+        /// The particle.
+        particle: ParticleAt,
+        /// Its porosity.
+        porosity: f64,
+    },
     /// A cpGIMP domain grew beyond one cell, where the weights are no longer a partition of unity.
     DomainTooLarge {
         /// Half-length in cells.
@@ -367,6 +375,11 @@ impl fmt::Display for StepError {
                  keep it there",
                 ["X", "Y", "Z"][*axis],
                 ["0", "n"][*side]
+            ),
+            StepErrorKind::Porosity { particle, porosity } => write!(
+                f,
+                "{particle} has a porosity of {porosity}; accepted: from {} to {}",
+                POROSITIES[0], POROSITIES[1]
             ),
             StepErrorKind::DomainTooLarge { half_length } => write!(
                 f,

@@ -68,6 +68,8 @@ pub struct EnergyLedger {
     pub removed: f64,
     /// Energy that left through absorbing planes so far \[J\].
     pub absorbed: f64,
+    /// Energy that the drag between pore water and skeleton took so far \[J\].
+    pub drag: f64,
 }
 
 /// Saved arrays: lists of numbers with their names.

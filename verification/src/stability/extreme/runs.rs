@@ -154,6 +154,7 @@ pub fn is_blow_up(kind: &StepErrorKind) -> bool {
             | StepErrorKind::Inverted(_)
             | StepErrorKind::Outside(_)
             | StepErrorKind::OffAbsorbingPlane { .. }
+            | StepErrorKind::Porosity { .. }
             | StepErrorKind::DomainTooLarge { .. }
     )
 }

@@ -1,0 +1,24 @@
+//! Pore pressures at the start.
+
+use proctor_kernel::model::Vector;
+
+/// Pore pressure at the start of a run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum InitialPressure {
+    /// That of all particles of a material, by its identifier \[Pa\].
+    Material {
+        /// Identifier.
+        id: i64,
+        /// Pressure \[Pa\].
+        pressure: f64,
+    },
+    /// That of particles whose centres lie in a box \[Pa\].
+    Box {
+        /// Lower corner \[m\].
+        p1: Vector,
+        /// Upper corner \[m\].
+        p2: Vector,
+        /// Pressure \[Pa\].
+        pressure: f64,
+    },
+}

@@ -1,0 +1,70 @@
+//! Water in the pores of a material: its constants, and what follows from them.
+
+use super::Vector;
+
+/// Water in the pores of a material.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PoreWater {
+    /// Porosity at the start, above 0 and below 1.
+    pub porosity: f64,
+    /// Density of the grains \[kg/m³\].
+    pub grain_density: f64,
+    /// Density of the water \[kg/m³\].
+    pub density: f64,
+    /// Bulk modulus of the water \[Pa\].
+    pub bulk: f64,
+    /// Hydraulic conductivity per axis \[m/s\].
+    pub conductivity: Vector,
+    /// Gravity for which the conductivity was measured \[m/s²\]: the permeability over the viscosity is conductivity over
+    /// density and this gravity, whatever gravity acts.
+    pub conductivity_gravity: f64,
+}
+
+/// Least and largest porosity of a particle.
+pub const POROSITIES: [f64; 2] = [0.01, 0.99];
+
+impl PoreWater {
+    /// Density of the skeleton without water at the start \[kg/m³\].
+    #[must_use]
+    pub fn dry_density(&self) -> f64 {
+        (1.0 - self.porosity) * self.grain_density
+    }
+
+    /// Porosity of a particle with this mass of grains \[kg\] and this volume \[m³\].
+    #[must_use]
+    #[inline]
+    pub fn porosity_of(&self, mass: f64, volume: f64) -> f64 {
+        1.0 - mass / (self.grain_density * volume)
+    }
+
+    /// Drag on water that flows along an axis through a skeleton of a porosity n, per volume and velocity between both
+    /// \[N s/m⁴\]: n² `rho_w` g / k.
+    #[must_use]
+    #[inline]
+    pub fn drag(&self, porosity: f64, axis: usize) -> f64 {
+        let by_gravity = self.density * self.conductivity_gravity / self.conductivity[axis];
+        porosity * porosity * by_gravity
+    }
+
+    /// Drag along each axis over that along the first.
+    #[must_use]
+    pub fn drag_ratios(&self) -> Vector {
+        self.conductivity.map(|k| self.conductivity[0] / k)
+    }
+
+    /// Speed of the fast compression wave in soil whose skeleton has waves of a speed of which this is the square
+    /// \[m²/s²\], where water and skeleton do not drag each other \[m/s\].
+    ///
+    /// c1² = (a + sqrt(a² - 4 d))/2 with a = `E_c`/((1-n) `rho_s`) + (1-n) `K_w`/(n `rho_s`) + `K_w`/`rho_w` and
+    /// d = `E_c` `K_w`/((1-n) `rho_s` `rho_w`): the larger root of the two coupled waves (Biot 1956). Drag lowers it, so that a
+    /// step that it bounds is stable for every conductivity.
+    #[must_use]
+    pub fn fast_speed(&self, skeleton_squared: f64, porosity: f64) -> f64 {
+        let water = self.bulk / self.density;
+        let coupled = (1.0 - porosity) * self.bulk / (porosity * self.grain_density);
+        let a = skeleton_squared + coupled + water;
+        let d = skeleton_squared * water;
+        let root = (a * a - 4.0 * d).max(0.0).sqrt();
+        (0.5 * (a + root)).sqrt()
+    }
+}

@@ -1,0 +1,75 @@
+//! Sums over the pore water of particles: mass, momentum, energies. In order of the identifier.
+
+use crate::layout::Layout;
+use crate::model::{PoreWater, Vector};
+use crate::particles::ParticleSet;
+use crate::simulation::Cycle;
+
+impl Cycle {
+    /// Whether bodies have water in their pores.
+    #[must_use]
+    pub fn has_water(&self) -> bool {
+        self.work.grid.has_water
+    }
+
+    /// Mass of the pore water \[kg\]. It changes as water flows, since particles move with the skeleton.
+    #[must_use]
+    pub fn water_mass(&self) -> f64 {
+        self.sum_of_water(|water, set, p| water_mass(water, set, p))
+    }
+
+    /// Momentum of the pore water \[kg m/s\].
+    #[must_use]
+    pub fn water_momentum(&self) -> Vector {
+        std::array::from_fn(|axis| {
+            self.sum_of_water(|water, set, p| {
+                let w = set.layout.water.map_or([0.0; 3], |first| set.vector(first, p));
+                water_mass(water, set, p) * w[axis]
+            })
+        })
+    }
+
+    /// Kinetic energy of the pore water, and what its compression stores \[J\].
+    pub(in crate::simulation) fn water_energies(&self) -> [f64; 2] {
+        if !self.work.grid.has_water {
+            return [0.0; 2];
+        }
+        let kinetic = self.sum_of_water(|water, set, p| {
+            let w = set.layout.water.map_or([0.0; 3], |first| set.vector(first, p));
+            0.5 * water_mass(water, set, p) * w.iter().map(|w| w * w).sum::<f64>()
+        });
+        let stored = self.sum_of_water(|water, set, p| {
+            let pressure = set.layout.pore_pressure().map_or(0.0, |column| set.columns[column][p]);
+            let volume = water_mass(water, set, p) / water.density;
+            volume * pressure * pressure / (2.0 * water.bulk)
+        });
+        [kinetic, stored]
+    }
+
+    /// Largest speed of a compression wave in a body with water \[m/s\].
+    pub(in crate::simulation) fn fast_speed(&self, index: usize, water: &PoreWater) -> f64 {
+        let set = &self.state.sets[index];
+        let columns = [Layout::MASS, Layout::VOLUME].map(|column| &set.columns[column]);
+        let all = columns[0].iter().zip(columns[1]);
+        // The fewer pores, the stiffer the water in them.
+        let least = all.map(|(m, v)| water.porosity_of(*m, *v)).fold(1.0, f64::min);
+        water.fast_speed(self.state.found[index].wave_speed_squared, least)
+    }
+
+    fn sum_of_water(&self, term: impl Fn(&PoreWater, &ParticleSet, usize) -> f64 + Sync) -> f64 {
+        let mut sum = 0.0;
+        for (set, body) in self.state.sets.iter().zip(&self.model.bodies) {
+            if let Some(water) = &body.water {
+                sum += self.sum_over(set, |p| term(water, set, p));
+            }
+        }
+        sum
+    }
+}
+
+/// Mass of the water of a particle \[kg\].
+fn water_mass(water: &PoreWater, set: &ParticleSet, p: usize) -> f64 {
+    let volume = set.columns[Layout::VOLUME][p];
+    let porosity = water.porosity_of(set.columns[Layout::MASS][p], volume);
+    porosity * water.density * volume
+}

@@ -1,0 +1,57 @@
+//! A column under a load on its drained top, against the exact series with the inertia of both phases.
+
+use super::series::Column;
+use super::support::{column, means, run};
+use proctor_scene::StressScheme;
+
+/// Largest errors of pressure and effective stress over cells, as shares of the undrained pressure and of the load.
+fn errors(of: &Column, k: f64, cells: usize, scheme: StressScheme, time: f64) -> [f64; 2] {
+    let simulation = run(of, k, cells, scheme, time);
+    let exact = of.at(time, 500);
+    let h = of.height / cells as f64;
+    let mut most = [0.0_f64; 2];
+    for (cell, [p, stress]) in means(&simulation, h, cells).into_iter().enumerate() {
+        let (low, high) = (cell as f64 * h, (cell + 1) as f64 * h);
+        most[0] = most[0].max((p - exact.mean(low, high)).abs() / of.undrained());
+        most[1] = most[1].max((stress - exact.mean_stress(low, high)).abs() / of.load);
+    }
+    most
+}
+
+#[test]
+fn the_column_follows_the_series_with_order_two() {
+    for scheme in [StressScheme::Usl, StressScheme::Musl] {
+        for (k, time) in [(1e-2, 0.1), (1e-3, 0.1)] {
+            let of = column(k);
+            let [coarse, fine] = [16, 32].map(|cells| errors(&of, k, cells, scheme, time));
+            println!("{scheme:?} k = {k}: {coarse:?}, {fine:?}");
+            for (coarse, fine) in coarse.into_iter().zip(fine) {
+                let order = (coarse / fine).log2();
+                assert!(fine < 1e-3, "{scheme:?}, k = {k}: {fine}");
+                assert!((1.8..=2.2).contains(&order), "{scheme:?}, k = {k}: order {order}");
+            }
+        }
+    }
+}
+
+/// Far below the drained top nothing has flowed yet: the pressure is that of the undrained column.
+#[test]
+fn water_that_has_not_flowed_has_the_undrained_pressure() {
+    let (cells, time) = (20, 0.1);
+    let h = 1.0 / 20.0;
+    for k in [1e-6, 1e-7] {
+        let of = column(k);
+        let simulation = run(&of, k, cells, StressScheme::Usl, time);
+        let exact = of.at(time, 2000);
+        let diffusion = k / (of.water * super::support::GRAVITY)
+            / (1.0 / of.modulus + of.porosity / of.bulk);
+        let layer = (diffusion * time).sqrt();
+        for (cell, [p, _]) in means(&simulation, h, cells).into_iter().enumerate() {
+            let high = (cell + 1) as f64 * h;
+            if high < of.height - 2.0 * h - 4.0 * layer {
+                let error = (p - exact.mean(high - h, high)).abs() / of.undrained();
+                assert!(error < 1e-4, "k = {k}, cell {cell}: {error}");
+            }
+        }
+    }
+}

@@ -1,0 +1,41 @@
+//! The largest stable step: it does not fall with the conductivity.
+
+use super::support::{column, strip};
+use crate::common::simulation;
+use proctor_scene::{StressScheme, TimeStep};
+
+/// Whether noise in the pressure stays bounded with `share` of the critical step.
+fn holds(k: f64, scheme: StressScheme, share: f64) -> bool {
+    let of = column(k);
+    let mut scene = strip(&of, k, 20, scheme);
+    scene.tractions.clear();
+    scene.time_step = TimeStep::Multiplier {
+        multiplier: share * simulation(&scene).stability_number(),
+        allow_unstable: true,
+    };
+    let mut simulation = simulation(&scene);
+    let mut saved = simulation.save();
+    let set = &mut saved.state.sets[0];
+    let column = set.layout.pore_pressure().expect("there is water");
+    for p in 0..set.len() {
+        set.columns[column][p] = ((p * 7919) % 1000) as f64 / 500.0 - 1.0;
+    }
+    simulation.restore(saved).expect("the same scene");
+    for _ in 0..3000 {
+        if simulation.step(1e9).is_err() {
+            return false;
+        }
+    }
+    let pressures = &simulation.sets()[0].columns[column];
+    pressures.iter().all(|p| p.abs() < 10.0)
+}
+
+#[test]
+fn the_limit_holds_for_every_conductivity() {
+    for k in [1e-1, 1e-3, 1e-5, 1e-10] {
+        for scheme in [StressScheme::Usl, StressScheme::Musl] {
+            assert!(holds(k, scheme, 1.0), "{scheme:?}, k = {k}");
+        }
+        assert!(!holds(k, StressScheme::Usl, 1.25), "k = {k}");
+    }
+}
