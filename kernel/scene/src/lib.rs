@@ -34,8 +34,9 @@ mod start_error;
 mod values;
 
 pub use values::{
-    Body, BodyEntry, Field, InitialPressure, InitialStress, Location, MOST_CREEP, Material, NodalField, Overburden,
-    Probe, ProbeTarget, ProbedQuantity, Problem, Results, Scene, SceneError, StateFile,
+    Body, BodyEntry, Field, InitialPressure, InitialStress, Location, MOST_CREEP, Material,
+    NodalField, Overburden, Probe, ProbeTarget, ProbedQuantity, Problem, Results, Scene,
+    SceneError, StateFile,
 };
 // What a scene is made of beside its own values.
 pub use proctor_contact::{
@@ -44,8 +45,8 @@ pub use proctor_contact::{
 };
 pub use proctor_kernel::model::{
     BaseMotion, BoxLoad, Damping, Dimension, DomainUpdate, GroundBeyond, HeldBox, History, Mesh,
-    Motion, OnImbalance, Outside, ParticleSeed, PlaneCondition, PointLoad, PoreWater, Shape, StressScheme,
-    TimeStep, Traction, Transfer, TransferKind, Vector, VolumetricStrain, Weighting,
+    Motion, OnImbalance, Outside, ParticleSeed, PlaneCondition, PointLoad, PoreWater, Shape,
+    StressScheme, TimeStep, Traction, Transfer, TransferKind, Vector, VolumetricStrain, Weighting,
 };
 
 /// Simulations of scenes, with what the kernel and contact have for them.

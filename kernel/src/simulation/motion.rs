@@ -107,7 +107,12 @@ fn equation_of_motion(field: &mut FieldNodes<'_, '_>) -> Result<(), EmptyNode> {
         Owner::Body(_) | Owner::Water => &[],
     };
     let (planes, _, sums) = field.parts();
-    planes.leave_out_prescribed(&by, context.walls_of(owner), [&context.nodal.held, driven], sums);
+    planes.leave_out_prescribed(
+        &by,
+        context.walls_of(owner),
+        [&context.nodal.held, driven],
+        sums,
+    );
     planes.accelerate(&by, sums);
     for condition in context.conditions_of(owner) {
         condition.after(field);

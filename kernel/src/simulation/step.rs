@@ -2,8 +2,8 @@
 
 use super::Cycle;
 use super::interactions::Interaction;
-use super::water::WaterTask;
 use super::phase::{Phase, PhaseObserver, PhaseTimer};
+use super::water::WaterTask;
 use crate::laws::tensor::Configuration;
 use crate::layout::Layout;
 use crate::model::StressScheme;

@@ -28,7 +28,10 @@ fn the_column_follows_the_series_with_order_two() {
             for (coarse, fine) in coarse.into_iter().zip(fine) {
                 let order = (coarse / fine).log2();
                 assert!(fine < 1e-3, "{scheme:?}, k = {k}: {fine}");
-                assert!((1.8..=2.2).contains(&order), "{scheme:?}, k = {k}: order {order}");
+                assert!(
+                    (1.8..=2.2).contains(&order),
+                    "{scheme:?}, k = {k}: order {order}"
+                );
             }
         }
     }
@@ -43,8 +46,8 @@ fn water_that_has_not_flowed_has_the_undrained_pressure() {
         let of = column(k);
         let simulation = run(&of, k, cells, StressScheme::Usl, time);
         let exact = of.at(time, 2000);
-        let diffusion = k / (of.water * super::support::GRAVITY)
-            / (1.0 / of.modulus + of.porosity / of.bulk);
+        let diffusion =
+            k / (of.water * super::support::GRAVITY) / (1.0 / of.modulus + of.porosity / of.bulk);
         let layer = (diffusion * time).sqrt();
         for (cell, [p, _]) in means(&simulation, h, cells).into_iter().enumerate() {
             let high = (cell + 1) as f64 * h;

@@ -96,7 +96,10 @@ fn drag_and_pressure_give_no_momentum() {
                 for (axis, [before, scale]) in before.into_iter().enumerate() {
                     let [after, _] = momentum(&simulation, axis);
                     let lost = (after - before).abs() / scale;
-                    assert!(lost < 1e-14, "{dimension:?} {scheme:?} axis {axis}: {lost:e}");
+                    assert!(
+                        lost < 1e-14,
+                        "{dimension:?} {scheme:?} axis {axis}: {lost:e}"
+                    );
                 }
             }
         }

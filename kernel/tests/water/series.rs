@@ -159,7 +159,10 @@ fn the_series_has_the_values_of_another_computation() {
         let answer = super::support::column(k).at(time, 500);
         let found = [answer.pressure(0.0), answer.pressure(0.5), answer.top()];
         for (found, value) in found.iter().zip(values) {
-            assert!((found / value - 1.0).abs() < 1e-6, "k = {k}: {found}, {value}");
+            assert!(
+                (found / value - 1.0).abs() < 1e-6,
+                "k = {k}: {found}, {value}"
+            );
         }
     }
 }

@@ -3,9 +3,7 @@
 use super::series::Column;
 use crate::common::{FLIP, body, cuboid, elastic, empty, material, simulation};
 use proctor_scene::simulation::Simulation;
-use proctor_scene::{
-    Dimension, History, PoreWater, Scene, StressScheme, TimeStep, Traction,
-};
+use proctor_scene::{Dimension, History, PoreWater, Scene, StressScheme, TimeStep, Traction};
 
 /// Gravity of the conductivity \[m/s²\].
 pub const GRAVITY: f64 = 10.0;
@@ -102,5 +100,7 @@ pub fn means(simulation: &Simulation, h: f64, cells: usize) -> Vec<[f64; 2]> {
         }
         sums[cell].1 += 1.0;
     }
-    sums.iter().map(|(sum, count)| sum.map(|s| s / count)).collect()
+    sums.iter()
+        .map(|(sum, count)| sum.map(|s| s / count))
+        .collect()
 }

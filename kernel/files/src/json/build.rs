@@ -49,7 +49,6 @@ impl<'a> Build<'a> {
                 Dimension::Three
             }
         };
-        self.refuse_what_is_not_built(raw);
         if let Some(stages) = &raw.stages {
             self.add(
                 "stages",
@@ -68,6 +67,7 @@ impl<'a> Build<'a> {
         self.results(raw, &mut scene);
         scene.threads = raw.n_threads;
         scene.materials = self.materials(raw);
+        self.water(raw, &mut scene);
         scene.bodies = self.bodies(raw, &scene.mesh, &scene.materials);
         if let Some(until) = &raw.until {
             let share = self.number(
@@ -111,19 +111,6 @@ impl<'a> Build<'a> {
             file,
             keeps_velocity,
         })
-    }
-
-    /// A second phase is part of the manuals' language, so it is refused by name rather than as
-    /// unknown keys, and only where they would act.
-    fn refuse_what_is_not_built(&mut self, raw: &RawScene) {
-        if let Some(phases) = raw.n_phases.filter(|n| *n != 1) {
-            self.add(
-                "n_phases",
-                format!("{phases}: a second phase is not built yet"),
-                "1",
-            );
-            self.of_words.push(self.problems.len() - 1);
-        }
     }
 
     /// The words and choices that are none. A shape of another number of dimensions is left out: that number may be what could

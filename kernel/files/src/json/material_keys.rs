@@ -11,6 +11,15 @@ use serde_json::{Value, json};
 
 use super::lists::Comment;
 
+/// The keys of the water in the pores of a material.
+const OF_WATER: [&str; 5] = [
+    "porosity",
+    "density_fluid",
+    "bulk_fluid",
+    "hydraulic_conductivity",
+    "conductivity_gravity",
+];
+
 /// A material as written: flat, all keys optional, nothing checked but types.
 #[derive(Debug, Default)]
 pub(super) struct RawMaterial {
@@ -20,6 +29,16 @@ pub(super) struct RawMaterial {
     pub id: Option<i64>,
     /// Initial mass density [kg/m³].
     pub density: Option<f64>,
+    /// Porosity at the start.
+    pub porosity: Option<f64>,
+    /// Density of the pore water [kg/m³].
+    pub density_fluid: Option<f64>,
+    /// Bulk modulus of the pore water [Pa].
+    pub bulk_fluid: Option<f64>,
+    /// Hydraulic conductivity per axis [m/s].
+    pub hydraulic_conductivity: Option<Vec<f64>>,
+    /// Gravity of the conductivity [m/s²].
+    pub conductivity_gravity: Option<f64>,
     numbers: Vec<(&'static str, Option<f64>)>,
     words: Vec<(&'static str, Option<String>)>,
     curves: Vec<(&'static str, Option<Rows>)>,
@@ -84,6 +103,7 @@ impl<'de> Deserialize<'de> for MaterialKey {
         let curves = curves().into_iter().map(|curve| curve.key);
         let words = choices().into_iter().map(|choice| choice.key);
         let known: Vec<&str> = (of_all.chain(numbers).chain(curves).chain(words))
+            .chain(OF_WATER)
             .chain(["comment"])
             .collect();
         if known.contains(&key.as_str()) {
@@ -142,6 +162,11 @@ impl<'de> Visitor<'de> for Keys {
                 "type" => material.r#type = map.next_value()?,
                 "id" => material.id = map.next_value()?,
                 "density" => material.density = map.next_value()?,
+                "porosity" => material.porosity = map.next_value()?,
+                "density_fluid" => material.density_fluid = map.next_value()?,
+                "bulk_fluid" => material.bulk_fluid = map.next_value()?,
+                "hydraulic_conductivity" => material.hydraulic_conductivity = map.next_value()?,
+                "conductivity_gravity" => material.conductivity_gravity = map.next_value()?,
                 "comment" => {
                     map.next_value::<Option<Comment>>()?;
                 }
@@ -215,10 +240,55 @@ impl JsonSchema for RawMaterial {
             },
             "additionalProperties": false,
         });
+        let of_water = [
+            (
+                "porosity",
+                "Share of the volume that is pores, at the start. `density` is that of the grains then",
+                "1",
+                json!(0.4),
+            ),
+            (
+                "density_fluid",
+                "Density of the water in the pores",
+                "kg/m³",
+                json!(1000),
+            ),
+            (
+                "bulk_fluid",
+                "Bulk modulus of the water in the pores",
+                "Pa",
+                json!(2e9),
+            ),
+        ];
         let properties = schema
             .get_mut("properties")
             .and_then(serde_json::Value::as_object_mut);
         if let Some(properties) = properties {
+            for (key, meaning, unit, example) in of_water {
+                properties.insert(key.to_owned(), of_pores(meaning, unit, &example));
+            }
+            if let Some(porosity) = properties.get_mut("porosity") {
+                porosity["exclusiveMaximum"] = 1.into();
+            }
+            properties.insert(
+                "hydraulic_conductivity".to_owned(),
+                json!({
+                    "description": "Hydraulic conductivity, one number per axis.",
+                    "type": ["array", "null"],
+                    "items": { "type": "number", "format": "double", "exclusiveMinimum": 0 },
+                    "x-unit": "m/s",
+                    "x-needed": true,
+                    "x-needs": "`n_phases` 2",
+                    "examples": [[1e-4, 1e-4], [1e-4, 1e-4, 1e-4]],
+                }),
+            );
+            let gravity = "Gravity for which the conductivity was measured, whatever gravity acts";
+            let mut gravity = of_pores(gravity, "m/s²", &json!(9.81));
+            if let Some(gravity) = gravity.as_object_mut() {
+                gravity.remove("x-needed");
+                gravity.insert("default".to_owned(), 9.81.into());
+            }
+            properties.insert("conductivity_gravity".to_owned(), gravity);
             for constant in constants() {
                 properties.insert(constant.key.to_owned(), of_constant(constant));
             }
@@ -231,6 +301,20 @@ impl JsonSchema for RawMaterial {
         }
         schema
     }
+}
+
+/// The schema of a number greater than zero that water in the pores needs.
+fn of_pores(meaning: &str, unit: &str, example: &Value) -> Value {
+    json!({
+        "description": format!("{meaning}."),
+        "type": ["number", "null"],
+        "format": "double",
+        "x-unit": unit,
+        "x-needed": true,
+        "x-needs": "`n_phases` 2",
+        "exclusiveMinimum": 0,
+        "examples": [example],
+    })
 }
 
 /// The schema of a number that some laws need.

@@ -27,6 +27,7 @@ mod source;
 mod stages;
 mod surfaces;
 mod tree;
+mod water;
 mod words;
 mod write;
 

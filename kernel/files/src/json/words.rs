@@ -59,6 +59,13 @@ pub(super) const PLANE_CONDITIONS: Words<PlaneCondition> = &[
     ("absorbing", PlaneCondition::Absorbing),
 ];
 
+/// Conditions of planes for pore water.
+pub(super) const WATER_CONDITIONS: Words<PlaneCondition> = &[
+    ("free", PlaneCondition::Free),
+    ("sliding", PlaneCondition::Sliding),
+    ("fixed", PlaneCondition::Fixed),
+];
+
 /// Kinds of damping.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum DampingKind {

@@ -61,6 +61,7 @@ pub fn write(scene: &Scene) -> Result<SceneWriter, NotWritten> {
         !(mortar.lines.is_empty() && mortar.facets.is_empty()),
         "a rigid line or surface of mortar contact",
     )?;
+    refuse(scene.has_water(), "water in pores")?;
     refuse(scene.initial_state.is_some(), "a start from another run")?;
     refuse(scene.until.is_some(), "an end by the balance of forces")?;
     refuse(!scene.probes.is_empty(), "a probe")?;

@@ -159,6 +159,15 @@ impl Files {
     }
 }
 
+/// Arrays of pore water, where there is any.
+fn of_water(simulation: &Simulation, arrays: impl FnOnce() -> Vec<Array>) -> Vec<Array> {
+    if simulation.has_water() {
+        arrays()
+    } else {
+        vec![]
+    }
+}
+
 /// Adds reasons for caution to others, of each kind the one that says most.
 pub(super) fn worst(all: &mut Vec<ResultWarning>, more: Vec<ResultWarning>) {
     for caution in more {
@@ -227,7 +236,15 @@ fn arrays(simulation: &Simulation, order: &[(usize, usize)], field: Field) -> Ve
         Field::Displacement => vector("Displacement", &|s, p| {
             simulation.displacement(s, p).unwrap_or_default()
         }),
-        Field::Velocity => vector("Velocity", &|s, p| set(s).velocity(p)),
+        Field::Velocity => vector("Velocity", &|s, p| set(s).velocity(p))
+            .into_iter()
+            .chain(of_water(simulation, || {
+                vector("Water Velocity", &|s, p| {
+                    let first = set(s).layout.water;
+                    first.map_or([f64::NAN; 3], |first| set(s).vector(first, p))
+                })
+            }))
+            .collect(),
         Field::Stress => (0..STRESS.len())
             .flat_map(|i| {
                 scalar(&format!("Stress_{}", STRESS[i]), &|s, p| {
@@ -238,7 +255,15 @@ fn arrays(simulation: &Simulation, order: &[(usize, usize)], field: Field) -> Ve
         Field::Pressure => scalar("Pressure", &|s, p| {
             let stress = set(s).stress(p);
             -(stress[0] + stress[1] + stress[2]) / 3.0
-        }),
+        })
+        .into_iter()
+        .chain(of_water(simulation, || {
+            scalar("Pore Pressure", &|s, p| {
+                let column = set(s).layout.pore_pressure();
+                column.map_or(f64::NAN, |column| set(s).columns[column][p])
+            })
+        }))
+        .collect(),
         Field::DeformationGradient => (0..9)
             .flat_map(|i| {
                 let name = format!(

@@ -47,6 +47,9 @@ impl HistoryRows {
         if simulation.model().settings.absorbs() {
             names.push(ABSORBED.into());
         }
+        if simulation.has_water() {
+            names.extend(WATER.map(str::to_owned));
+        }
         if has_drift(simulation) {
             names.extend(DRIFT.map(str::to_owned));
         }
@@ -94,6 +97,9 @@ impl HistoryRows {
         if simulation.model().settings.absorbs() {
             row.push(energy.absorbed);
         }
+        if simulation.has_water() {
+            row.extend([simulation.water_mass(), energy.water, energy.drag]);
+        }
         if has_drift(simulation) {
             // Between two stages all bodies with a boundary may be driven: empty cells.
             let drift = simulation.boundary_drift();
@@ -121,6 +127,9 @@ const BALANCE: [&str; 9] = [
 
 /// Energy that left through absorbing planes \[J\].
 const ABSORBED: &str = "energy_absorbed";
+
+/// Mass of pore water \[kg\], what its compression stores, and what its drag took \[J\].
+const WATER: [&str; 3] = ["water_mass", "energy_water", "energy_drag"];
 
 /// Where the work of the strain of a body went that yields \[J\].
 const YIELDING: [&str; 3] = ["stored", "plastic", "algorithmic"];

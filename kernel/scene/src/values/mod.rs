@@ -32,8 +32,8 @@ use proctor_contact::{Contact, ContactValues, Mortar, PlannedBody, RigidSurface}
 use proctor_kernel::laws::AnyLaw;
 use proctor_kernel::model::{
     BaseMotion, BoxLoad, CycleSettings, Damping, Dimension, GroundBeyond, HeldBox, Mesh,
-    OnImbalance, Outside, PlaneCondition, PointLoad, PoreWater, StressScheme, TimeStep, Traction, Transfer, TransferKind,
-    Vector, VolumetricStrain, Weighting, plane_acts,
+    OnImbalance, Outside, PlaneCondition, PointLoad, PoreWater, StressScheme, TimeStep, Traction,
+    Transfer, TransferKind, Vector, VolumetricStrain, Weighting, plane_acts,
 };
 
 /// Everything that is simulated.

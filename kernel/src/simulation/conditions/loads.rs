@@ -150,8 +150,7 @@ impl NodalLoads {
         for load in all.filter(|load| (first..last).contains(&load.node)) {
             let [plane, row, k] = shape.indices(load.node);
             let mass = |field: &SlabField<'_>| {
-                let free =
-                    field.owner != Owner::Water && now.prescribed(field.owner).is_none();
+                let free = field.owner != Owner::Water && now.prescribed(field.owner).is_none();
                 if free && field.planes.rows.span(plane, row).contains(&k) {
                     field.planes.nodes[load.node - first][0]
                 } else {

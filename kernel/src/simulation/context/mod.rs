@@ -165,7 +165,10 @@ impl<'a> StepContext<'a> {
     }
 
     /// Conditions that act on a field.
-    pub(super) fn conditions_of(&self, owner: Owner) -> impl Iterator<Item = &'a Arc<dyn Condition>> + use<'a> {
+    pub(super) fn conditions_of(
+        &self,
+        owner: Owner,
+    ) -> impl Iterator<Item = &'a Arc<dyn Condition>> + use<'a> {
         let water = owner == Owner::Water;
         (self.conditions.iter()).filter(move |condition| !water || condition.acts_on_water())
     }

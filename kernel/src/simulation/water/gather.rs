@@ -60,7 +60,14 @@ impl Cycle {
             (set.parts_mut(ranges)).map(move |(_, columns)| (body, water, layout, columns))
         });
         grid.team.each(parts, |(body, water, layout, mut columns)| {
-            gather(&mut columns, &layout, (&body.mapping, &water), &nodes, task, pic);
+            gather(
+                &mut columns,
+                &layout,
+                (&body.mapping, &water),
+                &nodes,
+                task,
+                pic,
+            );
         });
         if task.compress.is_some() {
             self.watch_porosity()?;

@@ -8,11 +8,7 @@ use crate::stage::solve::Planes;
 
 /// Maps the water of all bodies onto planes: to the lanes of a node mass, momentum, the force of the pressure
 /// sum V p grad S, and the drag along the first axis sum V D S; a second mapping has momentum in place of the force alone.
-pub(in crate::simulation) fn map(
-    from: &ParticleToGrid<'_>,
-    planes: &mut Planes<'_>,
-    carry: Carry,
-) {
+pub(in crate::simulation) fn map(from: &ParticleToGrid<'_>, planes: &mut Planes<'_>, carry: Carry) {
     let layers = from.layers_onto(planes);
     for (set, body) in from.sets.iter().zip(from.bodies) {
         let (Some(water), Some(column)) = (&body.water, set.layout.water) else {

@@ -23,7 +23,10 @@ impl Cycle {
     pub fn water_momentum(&self) -> Vector {
         std::array::from_fn(|axis| {
             self.sum_of_water(|water, set, p| {
-                let w = set.layout.water.map_or([0.0; 3], |first| set.vector(first, p));
+                let w = set
+                    .layout
+                    .water
+                    .map_or([0.0; 3], |first| set.vector(first, p));
                 water_mass(water, set, p) * w[axis]
             })
         })
@@ -35,11 +38,17 @@ impl Cycle {
             return [0.0; 2];
         }
         let kinetic = self.sum_of_water(|water, set, p| {
-            let w = set.layout.water.map_or([0.0; 3], |first| set.vector(first, p));
+            let w = set
+                .layout
+                .water
+                .map_or([0.0; 3], |first| set.vector(first, p));
             0.5 * water_mass(water, set, p) * w.iter().map(|w| w * w).sum::<f64>()
         });
         let stored = self.sum_of_water(|water, set, p| {
-            let pressure = set.layout.pore_pressure().map_or(0.0, |column| set.columns[column][p]);
+            let pressure = set
+                .layout
+                .pore_pressure()
+                .map_or(0.0, |column| set.columns[column][p]);
             let volume = water_mass(water, set, p) / water.density;
             volume * pressure * pressure / (2.0 * water.bulk)
         });
@@ -52,7 +61,9 @@ impl Cycle {
         let columns = [Layout::MASS, Layout::VOLUME].map(|column| &set.columns[column]);
         let all = columns[0].iter().zip(columns[1]);
         // The fewer pores, the stiffer the water in them.
-        let least = all.map(|(m, v)| water.porosity_of(*m, *v)).fold(1.0, f64::min);
+        let least = all
+            .map(|(m, v)| water.porosity_of(*m, *v))
+            .fold(1.0, f64::min);
         water.fast_speed(self.state.found[index].wave_speed_squared, least)
     }
 

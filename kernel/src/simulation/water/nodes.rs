@@ -59,11 +59,10 @@ pub(in crate::simulation) fn drag(
                     1.0 / mass
                 }
             };
-            let [of_skeleton, of_water] = [
-                inverse(walls[0], skeleton[0]),
-                inverse(walls[1], flow[0]),
-            ];
-            let before = (flow[1 + axis] - flow[4 + axis]) - (skeleton[1 + axis] - skeleton[4 + axis]);
+            let [of_skeleton, of_water] =
+                [inverse(walls[0], skeleton[0]), inverse(walls[1], flow[0])];
+            let before =
+                (flow[1 + axis] - flow[4 + axis]) - (skeleton[1 + axis] - skeleton[4 + axis]);
             let trial = flow[1 + axis] - skeleton[1 + axis];
             let after = trial / (1.0 + kick * b * (of_skeleton + of_water));
             let impulse = kick * b * after;
@@ -101,13 +100,15 @@ fn each_pair_of_walls(slab: &mut Slab<'_>, context: &StepContext<'_>, outwards: 
     };
     for wall in context.walls_of(Owner::Water) {
         let (ghost, _, mirror) = wall.layers(field.planes.shape);
-        field.planes.for_pairs(wall.axis, ghost, mirror, |nodes, ghost, mirror| {
-            if outwards {
-                nodes[ghost][SPARE] = nodes[mirror][SPARE];
-            } else {
-                nodes[mirror][SPARE] += nodes[ghost][SPARE];
-            }
-        });
+        field
+            .planes
+            .for_pairs(wall.axis, ghost, mirror, |nodes, ghost, mirror| {
+                if outwards {
+                    nodes[ghost][SPARE] = nodes[mirror][SPARE];
+                } else {
+                    nodes[mirror][SPARE] += nodes[ghost][SPARE];
+                }
+            });
     }
 }
 
@@ -119,7 +120,10 @@ fn porosity(water: &PoreWater, skeleton: &Line, flow: &Line) -> f64 {
 
 /// The constants that all waters of a scene share, where the slab has water: densities and ratios of conductivity.
 fn constants(slab: &Slab<'_>, context: &StepContext<'_>) -> Option<PoreWater> {
-    let water = slab.fields.last().filter(|field| field.owner == Owner::Water);
+    let water = slab
+        .fields
+        .last()
+        .filter(|field| field.owner == Owner::Water);
     water?;
     context.mapping.bodies.iter().find_map(|body| body.water)
 }

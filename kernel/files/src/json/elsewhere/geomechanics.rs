@@ -24,33 +24,15 @@ pub(super) const ALL: &[ForeignWord] = &[
     ),
     entry(
         "",
-        &["boundary_conditions_fluid"],
-        &["n_phases"],
-        "not covered: boundary conditions of a second phase, the pore fluid; only `n_phases` 1 is built",
+        &["permeability", "porous"],
+        &["material.hydraulic_conductivity"],
+        "here `hydraulic_conductivity` of a material, with `n_phases` 2",
     ),
     entry(
         "",
-        &[
-            "density_fluid",
-            "porosity",
-            "bulk_fluid",
-            "hydraulic_conductivity",
-            "permeability",
-            "porous",
-        ],
-        &["n_phases"],
-        "not covered: a pore fluid, the second phase; only `n_phases` 1 is built",
-    ),
-    entry(
-        "",
-        &[
-            "initial_pressure_box",
-            "prescribed_pressure_box",
-            "pressure_force_box",
-            "initial_pressure_material",
-        ],
-        &["n_phases"],
-        "not covered: pore pressure of a second phase; only `n_phases` 1 is built",
+        &["prescribed_pressure_box", "pressure_force_box"],
+        &["initial_pressure_box"],
+        "not covered: a pore pressure that is prescribed; `initial_pressure_box` gives that of the start",
     ),
     entry(
         "",
@@ -60,7 +42,7 @@ pub(super) const ALL: &[ForeignWord] = &[
             "pore_pressure_field",
         ],
         &["n_phases"],
-        "not covered: pore pressure; only `n_phases` 1 is built",
+        "not covered as a key; `n_phases` 2 has a pore pressure in each particle",
     ),
     entry(
         "",

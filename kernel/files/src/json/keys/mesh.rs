@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use super::RawWaterPlanes;
 use crate::json::lists::Comment;
 
 /// Background mesh.
@@ -36,6 +37,11 @@ pub(in crate::json) struct RawMesh {
         "x-default" = "all planes are sliding", "examples" = [{"plane_X0": "fixed", "plane_Yn": "free"}]
     ))]
     pub boundary_conditions: Option<RawPlanes>,
+    /// Conditions on the planes for the pore water; a plane that is not named is sliding and lets none through.
+    #[schemars(extend(
+        "x-needs" = "`n_phases` 2", "x-default" = "no plane lets water through", "examples" = [{"plane_Yn": "free"}]
+    ))]
+    pub boundary_conditions_fluid: Option<RawWaterPlanes>,
     /// Words for people, in every object: one text or a list of them. Nothing reads them.
     #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
     #[expect(dead_code, reason = "words for people")]

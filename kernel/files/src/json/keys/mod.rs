@@ -20,6 +20,7 @@ mod bodies;
 mod contact;
 mod ground;
 mod mesh;
+mod water;
 
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -37,6 +38,7 @@ pub(super) use self::contact::{
 };
 pub(super) use self::ground::{RawLayer, RawZone};
 pub(super) use self::mesh::{RawEarthquake, RawMesh, RawPlanes};
+pub(super) use self::water::{RawMaterialPressure, RawPressureBox, RawWaterPlanes};
 
 /// A scene: what is simulated, in SI units.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
@@ -85,8 +87,8 @@ pub(super) struct RawScene {
         "x-default" = "one for 8192 particles, at most all of the machine", "minimum" = 1, "examples" = [2]
     ))]
     pub n_threads: Option<usize>,
-    /// Number of phases; only 1 is built.
-    #[schemars(extend("default" = 1, "examples" = [1]))]
+    /// Number of phases: 2 where materials have water in their pores.
+    #[schemars(extend("enum" = [1, 2], "default" = 1, "examples" = [2]))]
     pub n_phases: Option<u64>,
     /// When the stress is updated: before the momentum (USF), after it (USL), or after it with velocities mapped again
     /// (MUSL). The default is that of the manuals' program.
@@ -173,6 +175,17 @@ pub(super) struct RawScene {
         "examples" = [[{"type": "sphere", "id": 1, "material_id": 1, "center": [0.5, 0.5, 0.5], "radius": 0.4}]]
     ))]
     pub bodies: Option<Entries<RawBody>>,
+    /// Pore pressures at the start, each of all particles of a material.
+    #[schemars(extend(
+        "x-needs" = "`n_phases` 2", "x-default" = "none", "examples" = [[{"material_id": 1, "pressure": 1000}]]
+    ))]
+    pub initial_pressure_material: Option<Entries<RawMaterialPressure>>,
+    /// Pore pressures at the start, each of the particles whose centres lie in a box; a later box has the last word.
+    #[schemars(extend(
+        "x-needs" = "`n_phases` 2", "x-default" = "none",
+        "examples" = [[{"point_p1": [0, 0], "point_p2": [1, 1], "pressure": 1000}]]
+    ))]
+    pub initial_pressure_box: Option<Entries<RawPressureBox>>,
     /// Run from whose end bodies begin, each as the body of the same `id` there: positions, stresses, deformations and
     /// internal variables. Other bodies begin as they are given, and bodies of that run that the scene lacks are left out.
     #[schemars(extend(

@@ -11,6 +11,7 @@ mod mortar;
 mod results;
 mod revolution;
 mod surface;
+mod water;
 
 use self::collector::Collector;
 use crate::values::{Scene, SceneError};
@@ -43,6 +44,7 @@ impl Scene {
         mortar::check(self, &mut problems);
         surface::check(self, &mut problems);
         revolution::check(self, &mut problems);
+        water::check(self, &mut problems);
         results::check(self, &mut problems);
         SceneError::unless_empty(problems.found)
     }

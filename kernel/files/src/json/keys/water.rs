@@ -1,0 +1,96 @@
+//! Keys of pore water, but for those of materials.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::json::lists::Comment;
+
+/// Conditions on the planes of the mesh for pore water: `free` drains, `sliding` lets none through, `fixed` holds it.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(
+    deny_unknown_fields,
+    expecting = "an object with the planes of the mesh"
+)]
+pub(in crate::json) struct RawWaterPlanes {
+    /// Lower plane of x.
+    #[serde(rename = "plane_X0")]
+    #[schemars(extend(
+        "enum" = ["free", "sliding", "fixed"], "default" = "sliding", "examples" = ["free"]
+    ))]
+    pub x0: Option<String>,
+    /// Upper plane of x.
+    #[serde(rename = "plane_Xn")]
+    #[schemars(extend(
+        "enum" = ["free", "sliding", "fixed"], "default" = "sliding", "examples" = ["free"]
+    ))]
+    pub xn: Option<String>,
+    /// Lower plane of y.
+    #[serde(rename = "plane_Y0")]
+    #[schemars(extend(
+        "enum" = ["free", "sliding", "fixed"], "default" = "sliding", "examples" = ["free"]
+    ))]
+    pub y0: Option<String>,
+    /// Upper plane of y.
+    #[serde(rename = "plane_Yn")]
+    #[schemars(extend(
+        "enum" = ["free", "sliding", "fixed"], "default" = "sliding", "examples" = ["free"]
+    ))]
+    pub yn: Option<String>,
+    /// Lower plane of z.
+    #[serde(rename = "plane_Z0")]
+    #[schemars(extend(
+        "enum" = ["free", "sliding", "fixed"], "x-needs" = "`dimension` 3", "default" = "sliding", "examples" = ["free"]
+    ))]
+    pub z0: Option<String>,
+    /// Upper plane of z.
+    #[serde(rename = "plane_Zn")]
+    #[schemars(extend(
+        "enum" = ["free", "sliding", "fixed"], "x-needs" = "`dimension` 3", "default" = "sliding", "examples" = ["free"]
+    ))]
+    pub zn: Option<String>,
+    /// Words for people, in every object: one text or a list of them. Nothing reads them.
+    #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
+    #[expect(dead_code, reason = "words for people")]
+    pub comment: Option<Comment>,
+}
+
+/// Pore pressure of a material at the start.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(
+    deny_unknown_fields,
+    expecting = "an object with `material_id` and `pressure`"
+)]
+pub(in crate::json) struct RawMaterialPressure {
+    /// Identifier of the material.
+    #[schemars(extend("x-needed" = true, "examples" = [1]))]
+    pub material_id: Option<i64>,
+    /// Pore pressure.
+    #[schemars(extend("x-unit" = "Pa", "x-needed" = true, "examples" = [1000]))]
+    pub pressure: Option<f64>,
+    /// Words for people, in every object: one text or a list of them. Nothing reads them.
+    #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
+    #[expect(dead_code, reason = "words for people")]
+    pub comment: Option<Comment>,
+}
+
+/// Pore pressure in a box at the start.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(
+    deny_unknown_fields,
+    expecting = "an object with `point_p1`, `point_p2` and `pressure`"
+)]
+pub(in crate::json) struct RawPressureBox {
+    /// Lower corner.
+    #[schemars(extend("x-unit" = "m", "x-needed" = true, "examples" = [[0, 0], [0, 0, 0]]))]
+    pub point_p1: Option<Vec<f64>>,
+    /// Upper corner.
+    #[schemars(extend("x-unit" = "m", "x-needed" = true, "examples" = [[1, 0.5], [1, 1, 0.5]]))]
+    pub point_p2: Option<Vec<f64>>,
+    /// Pore pressure.
+    #[schemars(extend("x-unit" = "Pa", "x-needed" = true, "examples" = [1000]))]
+    pub pressure: Option<f64>,
+    /// Words for people, in every object: one text or a list of them. Nothing reads them.
+    #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
+    #[expect(dead_code, reason = "words for people")]
+    pub comment: Option<Comment>,
+}
