@@ -21,18 +21,17 @@ fn errors(of: &Column, k: f64, cells: usize, scheme: StressScheme, time: f64) ->
 #[test]
 fn the_column_follows_the_series_with_order_two() {
     for scheme in [StressScheme::Usl, StressScheme::Musl] {
-        for (k, time) in [(1e-2, 0.1), (1e-3, 0.1)] {
-            let of = column(k);
-            let [coarse, fine] = [16, 32].map(|cells| errors(&of, k, cells, scheme, time));
-            println!("{scheme:?} k = {k}: {coarse:?}, {fine:?}");
-            for (coarse, fine) in coarse.into_iter().zip(fine) {
-                let order = (coarse / fine).log2();
-                assert!(fine < 1e-3, "{scheme:?}, k = {k}: {fine}");
-                assert!(
-                    (1.8..=2.2).contains(&order),
-                    "{scheme:?}, k = {k}: order {order}"
-                );
-            }
+        let of = column(1e-3);
+        let [coarse, fine] = [16, 32].map(|cells| errors(&of, 1e-3, cells, scheme, 0.1));
+        println!("{scheme:?}: {coarse:?}, {fine:?}");
+        for (coarse, fine) in coarse.into_iter().zip(fine) {
+            let order = (coarse / fine).log2();
+            assert!(fine < 1e-3, "{scheme:?}: {fine}");
+            assert!((1.9..=2.1).contains(&order), "{scheme:?}: order {order}");
+        }
+        // Where the water flows so easily the waves of the ramp show in coarse meshes.
+        for error in errors(&column(1e-2), 1e-2, 32, scheme, 0.1) {
+            assert!(error < 3e-4, "{scheme:?}: {error}");
         }
     }
 }

@@ -4,13 +4,14 @@ use super::support::{column, strip};
 use crate::common::simulation;
 use proctor_scene::{StressScheme, TimeStep};
 
-/// Whether noise in the pressure stays bounded with `share` of the critical step.
-fn holds(k: f64, scheme: StressScheme, share: f64) -> bool {
+/// Whether noise in the pressure stays bounded with a step of so many times h/c1; `None` for the critical one.
+fn holds(k: f64, scheme: StressScheme, multiplier: Option<f64>) -> bool {
     let of = column(k);
     let mut scene = strip(&of, k, 20, scheme);
     scene.tractions.clear();
+    let critical = simulation(&scene).stability_number();
     scene.time_step = TimeStep::Multiplier {
-        multiplier: share * simulation(&scene).stability_number(),
+        multiplier: multiplier.unwrap_or(critical),
         allow_unstable: true,
     };
     let mut simulation = simulation(&scene);
@@ -30,12 +31,14 @@ fn holds(k: f64, scheme: StressScheme, share: f64) -> bool {
     pressures.iter().all(|p| p.abs() < 10.0)
 }
 
+/// A linear analysis of twenty cells has USL lost above 0.75 to 0.85 of h/c1, from large conductivities to small ones.
 #[test]
 fn the_limit_holds_for_every_conductivity() {
     for k in [1e-1, 1e-3, 1e-5, 1e-10] {
         for scheme in [StressScheme::Usl, StressScheme::Musl] {
-            assert!(holds(k, scheme, 1.0), "{scheme:?}, k = {k}");
+            assert!(holds(k, scheme, None), "{scheme:?}, k = {k}");
         }
-        assert!(!holds(k, StressScheme::Usl, 1.25), "k = {k}");
+        assert!(holds(k, StressScheme::Usl, Some(0.7)), "k = {k}");
+        assert!(!holds(k, StressScheme::Usl, Some(0.95)), "k = {k}");
     }
 }
