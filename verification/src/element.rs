@@ -1,6 +1,7 @@
 //! A material point without a grid on the paths of the laboratory: strains are driven, stresses are held, and what the law
 //! makes of it is kept, by the law's own code.
 
+mod cam_clay;
 mod closed_form;
 mod held;
 pub mod path;
@@ -8,7 +9,7 @@ pub mod path;
 pub use closed_form::{exact_deviator, exact_pressure};
 
 use proctor_laws::{
-    AnyLaw, DruckerPrager, MohrCoulomb, Point, PointFault, Softening, Tresca, VonMises,
+    AnyLaw, CamClay, DruckerPrager, MohrCoulomb, Point, PointFault, Softening, Tresca, VonMises,
 };
 use std::fmt;
 
@@ -91,6 +92,9 @@ impl Test {
     /// `None` where it has no such end: where strength changes with strain, or pressure does, as by dilation at constant volume.
     #[must_use]
     pub fn strength(self, law: &AnyLaw, pressure: f64) -> Option<f64> {
+        if law.downcast::<CamClay>().is_some() {
+            return cam_clay::strength(self, law, pressure);
+        }
         if let Some(law) = law.downcast::<VonMises>() {
             let ends = law.is_perfect() && self != Self::Isotropic;
             return ends.then(|| law.yield_stress());

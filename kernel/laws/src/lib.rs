@@ -22,6 +22,7 @@ mod strength;
 
 pub use band::Band;
 pub use check::{LawFault, LawProperty, check_law};
+pub use cam_clay::PRECONSOLIDATION;
 pub use drucker_prager::ConeMatch;
 pub use elasticity::Isotropic;
 pub use gap::{GAP, TensionApex};
@@ -63,6 +64,7 @@ list! {
     tresca: Tresca,
     mohr_coulomb: MohrCoulomb,
     drucker_prager: DruckerPrager,
+    cam_clay: CamClay,
     newtonian: Newtonian,
     bingham: Bingham,
 }

@@ -2,9 +2,9 @@
 
 use proctor_kernel::lanes::Lanes;
 use proctor_laws::{
-    AnyLaw, Bingham, Component, ConeMatch, DruckerPrager, Hencky, Increment, Law, LawFault,
-    LawProperty, LinearElastic, MohrCoulomb, NeoHookean, Newtonian, Particle, Stress, Tresca,
-    VonMises, check_law,
+    AnyLaw, Bingham, CamClay, Component, ConeMatch, DruckerPrager, Hencky, Increment, Law,
+    LawFault, LawProperty, LinearElastic, MohrCoulomb, NeoHookean, Newtonian, Particle, Stress,
+    Tresca, VonMises, check_law,
 };
 
 const ELASTIC: LinearElastic = LinearElastic::new(1e6, 0.25);
@@ -89,7 +89,7 @@ impl Law for Wrong {
 
 #[test]
 fn laws_of_the_list_hold_what_every_law_must() {
-    let laws: [AnyLaw; 9] = [
+    let laws: [AnyLaw; 10] = [
         ELASTIC.into(),
         NeoHookean::new(1e6, 0.25).into(),
         Hencky::new(1e6, 0.25).into(),
@@ -97,6 +97,9 @@ fn laws_of_the_list_hold_what_every_law_must() {
         Tresca::new(1e6, 0.25, 200.0).into(),
         MohrCoulomb::new(1e6, 0.25, [30.0, 100.0, 10.0]).into(),
         DruckerPrager::new(1e6, 0.25, [30.0, 100.0, 10.0], ConeMatch::Outer).into(),
+        CamClay::new(1.2, 0.1, 0.02, 0.25)
+            .overconsolidated(1.1)
+            .into(),
         Newtonian::new(1e6, 1.0).into(),
         Bingham::new(1e6, 1.0, 100.0, 1e4).into(),
     ];

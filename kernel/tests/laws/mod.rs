@@ -1,6 +1,7 @@
 //! Laws at a material point against exact solutions, and what must hold of each whatever its values.
 
 mod bands;
+mod cam_clay;
 mod channels;
 mod check;
 mod cone;

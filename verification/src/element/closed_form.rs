@@ -1,7 +1,7 @@
 //! Curves of the paths of the laboratory in closed form.
 
-use super::{Control, Test};
-use proctor_laws::{AnyLaw, Bingham, LinearElastic, Newtonian, VonMises};
+use super::{Control, Test, cam_clay};
+use proctor_laws::{AnyLaw, Bingham, CamClay, LinearElastic, Newtonian, VonMises};
 
 /// Halvings of an interval in which a plastic strain is looked for.
 const HALVINGS: usize = 100;
@@ -22,6 +22,9 @@ pub fn exact_deviator(
     }
     if constant(law, "relaxation_time").is_some_and(|tau| tau > 0.0) {
         return None;
+    }
+    if law.downcast::<CamClay>().is_some() {
+        return cam_clay::deviator(test, law, pressure, strain);
     }
     let young = law.young();
     let shear = shear_modulus(young, law.wave_speed(1.0).powi(2));

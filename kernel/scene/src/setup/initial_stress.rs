@@ -2,14 +2,15 @@
 
 use crate::values::{InitialStress, Scene};
 use proctor_geometry::number::Number;
-use proctor_kernel::laws::{Particle, Point, UNDEFORMED, UNPRESSED};
+use proctor_kernel::laws::{AnyLaw, Particle, Point, UNDEFORMED, UNPRESSED};
 use proctor_kernel::layout::Layout;
 use proctor_kernel::model::Vector;
 use proctor_kernel::particles::ParticleSet;
 use proctor_kernel::simulation::{BodyRun, SetupError};
 use proctor_kernel::stage::g2p::ParticleMaxima;
+use proctor_laws::PRECONSOLIDATION;
 
-/// Sets the stress of a body, by its index, at the start, and what the first time step depends on.
+/// Sets the stress of a body, by its index, at the start, what its law remembers of it, and what the first time step depends on.
 ///
 /// # Errors
 /// Where the law of the body does not bear it, with the particle that is farthest from what it bears.
@@ -30,6 +31,7 @@ pub(super) fn set(
     let unpressed = (set.layout.components())
         .find(|(variable, ..)| **variable == UNPRESSED)
         .map(|(_, _, column)| column);
+    let remembers = remembers_pressure(&material.law);
     let mut point = Point::new(&material.law, material.density, [0.0; 6]);
     let mut worst: Option<YieldExcess> = None;
     for p in 0..set.len() {
@@ -51,6 +53,20 @@ pub(super) fn set(
         let ratio = material.law.initial_volume_ratio(mean);
         if let Some(column) = unpressed {
             set.columns[column][p] = 1.0 / ratio;
+            let square = run.law.speed_squared(&Particle {
+                mass: set.columns[Layout::MASS][p],
+                volume: set.columns[Layout::VOLUME][p],
+                density: run.density,
+                stress,
+                deformation: UNDEFORMED,
+                variables: &set.variables(p),
+            });
+            found.wave_speed_squared = found.wave_speed_squared.max(square);
+        } else if remembers {
+            let first = set.layout.variables;
+            for (i, value) in point.variables().into_iter().enumerate() {
+                set.columns[first + i][p] = value;
+            }
             let square = run.law.speed_squared(&Particle {
                 mass: set.columns[Layout::MASS][p],
                 volume: set.columns[Layout::VOLUME][p],
@@ -89,6 +105,31 @@ pub(super) fn set(
             material.name
         ),
     })
+}
+
+/// Refuses a body, by its index, that begins without a stress although its law has no stiffness there.
+///
+/// # Errors
+/// As said.
+pub(super) fn refuse_none(scene: &Scene, index: usize) -> Result<(), SetupError> {
+    let body = &scene.bodies[index];
+    let material = &scene.materials[body.material];
+    if body.initial_stress != InitialStress::None || !remembers_pressure(&material.law) {
+        return Ok(());
+    }
+    Err(SetupError::Load {
+        path: format!("bodies[{index}].initial_stress"),
+        reason: format!(
+            "none, where {} has neither stiffness nor strength without a pressure; accepted: `initial_stress`, or an \
+             `initial_state` of another run",
+            material.name
+        ),
+    })
+}
+
+/// Whether a law remembers the largest pressure that it has borne.
+fn remembers_pressure(law: &AnyLaw) -> bool {
+    law.variables().contains(&PRECONSOLIDATION)
 }
 
 /// Gives a particle whose law does not remember a volume without pressure the mass of what was pressed into its own: `ratio`

@@ -71,6 +71,9 @@ pub(crate) fn set_up(scene: &Scene, options: &Options) -> Result<Cycle, SetupErr
         }
         initial_stress::set(&mut set, scene, i, &run, &mut found)?;
         pressure::set(&mut set, scene, i);
+        if options.start.is_none() {
+            initial_stress::refuse_none(scene, i)?;
+        }
         if let Some(initial) = &options.initial {
             start_from(&mut set, scene, &run, &mut found, initial.as_ref());
         }
