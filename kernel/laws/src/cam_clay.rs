@@ -397,9 +397,11 @@ impl Law for CamClay {
             let twice = L::splat(if slot < 3 { 1.0 } else { 2.0 });
             sheared = (twice * (start[slot] + s[slot])).mul_add(e[slot], sheared);
         }
-        work = L::splat(0.5) * (work + sheared) * j;
+        let before = j * functions::exp(compressed);
+        // With the volume half way.
+        work = L::splat(0.25) * (work + sheared) * (j + before);
         let now = self.stored([p, q_of(&s)], self.shear_at(p)) * j;
-        let then = self.stored([p_start, q_of(&start)], shear) * j * functions::exp(compressed);
+        let then = self.stored([p_start, q_of(&start)], shear) * before;
         variables[2] = variables[2] + (work - plastic - (now - then));
         variables[4] = after;
         let out = stress.packed_mut();
