@@ -6,9 +6,10 @@
 //! those of a list of corners: the stress must lie on the surface, stay there when asked again, turn with the axes, dissipate, and
 //! have the same bits on all lanes. `proctor verify element`; `proctor element` draws such paths of a user's materials.
 
+mod clay;
 mod returns;
 
-use proctor_laws::Point;
+use proctor_laws::{CamClay, Point};
 
 use super::prelude::*;
 use crate::exact::material_point::{ShearedSoil, bingham, held_dilation, to_and_fro, turned};
@@ -29,7 +30,7 @@ const FIRM: [f64; 3] = [30.0, 0.02, 0.0];
 const DILATANT: [f64; 3] = [30.0, 0.02, 12.0];
 /// Normal stresses in the plane of shear, and across, of the soil under weight \[Pa\].
 const WEIGHT: [f64; 3] = [-0.6, -1.0, -0.75];
-const PRESSURE: f64 = 1.0; // Pressure around the soil that dilates [Pa]
+const PRESSURE: f64 = 1.0; // Pressure around the soil that dilates, and of the clay [Pa]
 /// Shear modulus, viscosity and yield stress of Bingham's fluid \[Pa, Pa s, Pa\], and the rate of its shear \[1/s\].
 const MUD: [f64; 3] = [500.0, 20.0, 2.0];
 const RATE: f64 = 1.5;
@@ -148,7 +149,7 @@ fn times_of_mud() -> [f64; 2] {
     [limit / (shear * RATE), viscosity / shear]
 }
 
-const PATHS: [Path; 9] = [
+const PATHS: [Path; 11] = [
     Path {
         name: "oedometer, von Mises",
         exact: true,
@@ -267,6 +268,32 @@ const PATHS: [Path; 9] = [
             [0.0, 0.0, 0.0, 0.0, 0.0, tau]
         },
     },
+    Path {
+        name: "undrained, Cam clay",
+        exact: false,
+        law: || clay::law().into(),
+        start: [-PRESSURE, -PRESSURE, -PRESSURE, 0.0, 0.0, 0.0],
+        parts: || vec![[0.0; 6], [0.01, 0.01, -0.02, 0.0, 0.0, 0.0]],
+        times: any_time,
+        answer: clay::undrained,
+    },
+    // At rest the stress ratio of first compression stays, and ln v is straight in ln p.
+    Path {
+        name: "oedometer, Cam clay",
+        exact: false,
+        law: || clay::law().into(),
+        start: [
+            -clay::AT_REST[0],
+            -clay::AT_REST[0],
+            -clay::AT_REST[1],
+            0.0,
+            0.0,
+            0.0,
+        ],
+        parts: || vec![[0.0; 6], along(-0.02)],
+        times: any_time,
+        answer: clay::at_rest,
+    },
 ];
 
 const SHOWN: u32 = 100; // Most points of a curve
@@ -308,7 +335,7 @@ impl Path {
     }
 
     fn is_pressed(&self) -> bool {
-        (self.parts)()[0][2] != 0.0
+        (self.parts)().iter().any(|part| part[2] != 0.0)
     }
 
     fn curve(&self, states: &[(f64, [f64; 6])], stiffer: f64) -> Curve {
@@ -420,6 +447,9 @@ fn scene(rung: &Rung, _: &Settings) -> Scene {
     let law = path_of(rung).map_or(PATHS[0].law, |path| path.law);
     scene.materials = material("of the point", DENSITY, law());
     scene.bodies = vec![body("point", 1, cuboid([1.0; 3], [2.0; 3]))];
+    if scene.materials[0].law.downcast::<CamClay>().is_some() {
+        scene.bodies[0].initial_stress = InitialStress::Isotropic(-PRESSURE);
+    }
     scene
 }
 
