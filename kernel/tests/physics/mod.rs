@@ -7,6 +7,7 @@ mod beside;
 mod books;
 mod carried;
 mod caution;
+mod clay_at_rest;
 mod contact;
 mod contact_normals;
 mod contact_symmetry;
