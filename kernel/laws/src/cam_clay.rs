@@ -249,7 +249,7 @@ impl Law for CamClay {
             key: "swelling",
             meaning: "Slope of ln(v) against ln(p) in swelling, less than that of first compression",
             unit: "",
-            accepted: Accepted::Between(0.0, 0.5),
+            accepted: Accepted::Between(0.0, 0.2),
             given: ConstantDefault::Needed,
         },
         super::POISSON,

@@ -100,6 +100,17 @@ fn of_material(axes: usize, keys: &Value) -> Value {
     scene
 }
 
+/// The block of clay that is pressed.
+fn of_clay(axes: usize) -> Value {
+    let mut scene = block(axes);
+    scene["material"][0] = json!({
+        "type": "cam_clay", "id": 1, "density": 1000, "critical_ratio": 1.2, "compression": 0.25, "swelling": 0.02,
+        "poisson": 0.3,
+    });
+    scene["body"][0]["initial_stress"] = json!({"type": "isotropic", "value": -1e5});
+    scene
+}
+
 /// The block of a fluid with more keys.
 fn of_fluid(axes: usize, keys: &Value) -> Value {
     let mut scene = block(axes);
@@ -180,6 +191,7 @@ fn bases() -> Vec<Value> {
                 "type": "von_mises", "yield_stress": 1e6, "hardening": -100, "regularisation": "crack_band",
                 "regularisation.width": 0.2,
             })),
+            of_clay(axes),
             of_fluid(axes, &none),
             of_fluid(axes, &json!({"type": "bingham", "yield_stress": 10})),
             of_material(axes, &json!({"type": "tresca", "cohesion": 1e6})),
