@@ -12,14 +12,16 @@ use super::{
 use proctor_kernel::lanes::{Lanes, functions};
 use proctor_kernel::layout::Variable;
 
-/// Largest pressure that the clay has borne \[Pa\], compression positive: the end of its ellipse. 0 until a stress has been
+/// Largest pressure that the clay has borne \[Pa\], compression positive: the end of its ellipse. 0 until a stress has
+/// been
 /// seen, from which it follows then.
 pub const PRECONSOLIDATION: Variable = Variable::scalar("preconsolidation", "Pa");
 
 /// Plastic volume strain, compression positive as the pressures are.
 const COMPRESSION: Variable = Variable::scalar("plastic compression", "");
 
-/// Modified Cam clay (Roscoe and Burland 1968): q²/M² + p (p - p_c) <= 0 with pressure p and `q = sqrt(3 J_2)`, associated flow,
+/// Modified Cam clay (Roscoe and Burland 1968): q²/M² + p (p - p_c) <= 0 with pressure p and `q = sqrt(3 J_2)`,
+/// associated flow,
 /// and straight lines of ln v against ln p (Butterfield 1979): p rises as exp(e_v/kappa), `p_c` as
 /// exp(`e_v^p`/(lambda - kappa)), with volume strains in compression, e_v = -ln det f of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,7 +42,8 @@ const ITERATIONS: usize = 6;
 const TOLERANCE: f64 = 1e-9;
 
 impl CamClay {
-    /// Of the stress ratio q/p at the critical state M, the slopes of ln v against ln p in first compression lambda and in
+    /// Of the stress ratio q/p at the critical state M, the slopes of ln v against ln p in first compression lambda
+    /// and in
     /// swelling kappa, and Poisson's ratio. It is normally consolidated under the stress at the start.
     #[must_use]
     pub const fn new(critical_ratio: f64, compression: f64, swelling: f64, poisson: f64) -> Self {
@@ -443,7 +446,8 @@ impl Law for CamClay {
 }
 
 impl CamClay {
-    /// Energy per volume \[J/m³\] under p and q: that which swelling to no pressure gives back, p kappa/(1 - kappa) of the
+    /// Energy per volume \[J/m³\] under p and q: that which swelling to no pressure gives back, p kappa/(1 - kappa) of
+    /// the
     /// volume as it is, since p goes as the volume to the power of -1/kappa; and q²/(6 G).
     #[inline(always)]
     fn stored<L: Lanes>(&self, [p, q]: [L; 2], shear: L) -> L {

@@ -21,8 +21,8 @@ mod state;
 mod strength;
 
 pub use band::Band;
-pub use check::{LawFault, LawProperty, check_law};
 pub use cam_clay::PRECONSOLIDATION;
+pub use check::{LawFault, LawProperty, check_law};
 pub use drucker_prager::ConeMatch;
 pub use elasticity::Isotropic;
 pub use gap::{GAP, TensionApex};

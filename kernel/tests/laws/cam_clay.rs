@@ -88,7 +88,8 @@ fn undrained_strain(shear: f64, ocr: f64, [p, q]: [f64; 2]) -> f64 {
     elastic + plastic(eta) - plastic(first)
 }
 
-/// On an undrained path p = p_0 ((M² + eta_0²)/(M² + eta²))^(1 - kappa/lambda) for any step, since both volume strains are
+/// On an undrained path p = p_0 ((M² + eta_0²)/(M² + eta²))^(1 - kappa/lambda) for any step, since both volume strains
+/// are
 /// logarithms; the strain there is of first order.
 #[test]
 fn an_undrained_path_is_the_closed_form() {

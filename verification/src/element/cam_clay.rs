@@ -8,7 +8,8 @@ use proctor_laws::{AnyLaw, CamClay};
 /// Halvings of an interval in which a stress ratio is looked for.
 const HALVINGS: usize = 100;
 
-/// The clay of an isotropic pressure \[Pa\], and by how much its ellipse is larger than that; `None` for another law, and on the
+/// The clay of an isotropic pressure \[Pa\], and by how much its ellipse is larger than that; `None` for another law,
+/// and on the
 /// dry side, where strength falls and a path turns back.
 fn clay(law: &AnyLaw, pressure: f64) -> Option<(CamClayExact, f64)> {
     let own = law.downcast::<CamClay>()?;

@@ -1,7 +1,9 @@
 //! Modified Cam clay in the triaxial test, the oedometer and under pressure alone, in closed form.
 //!
-//! Roscoe and Burland 1968, with straight lines of ln v against ln p (Butterfield 1979). p, q and strains are positive in
-//! compression, `eta = q/p`, `s = 1 - kappa/lambda`; shear modulus `G = r p/kappa`, `r = 3 (1 - 2 nu)/(2 (1 + nu))`. Paths begin on the
+//! Roscoe and Burland 1968, with straight lines of ln v against ln p (Butterfield 1979). p, q and strains are positive
+//! in
+//! compression, `eta = q/p`, `s = 1 - kappa/lambda`; shear modulus `G = r p/kappa`, `r = 3 (1 - 2 nu)/(2 (1 + nu))`.
+//! Paths begin on the
 //! yield surface.
 
 /// The clay.
@@ -38,7 +40,8 @@ impl CamClayExact {
         self.pressure * ratio.powf(self.plastic_share())
     }
 
-    /// Deviator strain on the undrained path between two stress ratios: `kappa s (2/M) [artanh - arctan](x/M)` is plastic,
+    /// Deviator strain on the undrained path between two stress ratios: `kappa s (2/M) [artanh - arctan](x/M)` is
+    /// plastic,
     /// `(kappa/(3 r)) [x (1 - 2 s) + 2 s M arctan(x/M)]` elastic.
     #[must_use]
     pub fn undrained_strain(&self, eta: f64, eta_0: f64) -> f64 {

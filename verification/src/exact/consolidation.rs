@@ -1,10 +1,13 @@
 //! Consolidation in one dimension: Terzaghi's series with compressible water, and that of Xie and Leo at large strain.
 //!
-//! Terzaghi 1925: `p_t = c_v p_zz + (p_0/Q) Q_t` with `c_v = (k/(rho_w g))/(1/E_c + n/K_w)` and `p_0/Q = (K_w/n)/(E_c + K_w/n)`. Under a
-//! load that comes on in equal shares of the time `t_r` each mode `(2/M) sin(M d/H)`, `M = (2m + 1) pi/2`, d from the drained top, has
+//! Terzaghi 1925: `p_t = c_v p_zz + (p_0/Q) Q_t` with `c_v = (k/(rho_w g))/(1/E_c + n/K_w)` and `p_0/Q = (K_w/n)/(E_c
+//! + K_w/n)`. Under a
+//! load that comes on in equal shares of the time `t_r` each mode `(2/M) sin(M d/H)`, `M = (2m + 1) pi/2`, d from the
+//! drained top, has
 //! the amplitude `(e^(-L (t - t_r)) - e^(-L t))/(L t_r)`, `L = M² c_v/H²`.
 //!
-//! Xie and Leo 2004, here of a skeleton `sigma' = -E_c ln J`, a conductivity `k J²`, water that keeps its volume, and no weight: J obeys
+//! Xie and Leo 2004, here of a skeleton `sigma' = -E_c ln J`, a conductivity `k J²`, water that keeps its volume, and
+//! no weight: J obeys
 //! the linear equation of diffusion in the height at the start.
 
 use std::f64::consts::PI;
@@ -47,7 +50,8 @@ impl Layer {
         self.load / (1.0 + self.confined_modulus / self.storage)
     }
 
-    /// Pressure of the water, Pa, at the height z (m) at `t` (s) after the load began to come on in `ramp` (s); 0 for at once.
+    /// Pressure of the water, Pa, at the height z (m) at `t` (s) after the load began to come on in `ramp` (s); 0 for
+    /// at once.
     #[must_use]
     pub fn pressure(&self, z: f64, t: f64, ramp: f64) -> f64 {
         let depth = 1.0 - z / self.height;

@@ -1,8 +1,10 @@
 //! An infinite slope with water that seeps along it, its surface at the top.
 //!
 //! Nothing changes along the slope. With the depth d across it from the surface and the angle b: pore pressure
-//! `rho_w g d cos b`, effective stress across `(rho - rho_w) g d cos b`, shear stress `rho g d sin b` with `rho` of soil and water
-//! together, and a flux `n (w - v) = k sin b` down the slope, whose drag carries the weight of the water along it (Skempton and
+//! `rho_w g d cos b`, effective stress across `(rho - rho_w) g d cos b`, shear stress `rho g d sin b` with `rho` of
+//! soil and water
+//! together, and a flux `n (w - v) = k sin b` down the slope, whose drag carries the weight of the water along it
+//! (Skempton and
 //! DeLory 1957).
 
 /// The slope.

@@ -1,11 +1,14 @@
 //! A column of soil and water under a load that comes on: the exact series with the inertia of both.
 //!
-//! Biot 1956 in one dimension, with drag D = n² rho_w g/k. Base at `z = 0`, fixed and shut; at the top `z = H` the total traction is
+//! Biot 1956 in one dimension, with drag D = n² rho_w g/k. Base at `z = 0`, fixed and shut; at the top `z = H` the
+//! total traction is
 //! `-q(t)` and the pressure of water 0. Both displacements are sums of `U_m sin(k_m z)`, `k_m = (2m - 1) pi/(2H)`, with
 //! `M U'' + C U' + k_m² K U = (2/H) sin(k_m H) (-q, 0)`,
 //! `M = diag((1 - n) rho_s, n rho_w)`, `C = D [[1, -1], [-1, 1]]` and
-//! `K = [[E_c + (1 - n)² K_w/n, (1 - n) K_w], [(1 - n) K_w, n K_w]]`. The static part (all stress in the skeleton, no pressure) stands
-//! in closed form, and the series sums what differs from it: else it rings at the top. `q = Q (10 s³ - 15 s⁴ + 6 s⁵)`, `s = t/t_r`.
+//! `K = [[E_c + (1 - n)² K_w/n, (1 - n) K_w], [(1 - n) K_w, n K_w]]`. The static part (all stress in the skeleton, no
+//! pressure) stands
+//! in closed form, and the series sums what differs from it: else it rings at the top. `q = Q (10 s³ - 15 s⁴ + 6 s⁵)`,
+//! `s = t/t_r`.
 //!
 //! Terzaghi's solution, both waves of Biot and the undrained limit are limits of this series.
 
@@ -183,7 +186,8 @@ fn product<const N: usize>(a: &Square<N>, b: &Square<N>) -> Square<N> {
     std::array::from_fn(|i| std::array::from_fn(|j| (0..N).map(|k| a[i][k] * b[k][j]).sum()))
 }
 
-/// e^A by Taylor's series of a small part of A, squared until it is whole. What is squared is e^A - 1, so that a small part
+/// e^A by Taylor's series of a small part of A, squared until it is whole. What is squared is e^A - 1, so that a small
+/// part
 /// keeps its digits.
 fn exponential<const N: usize>(a: &Square<N>) -> Square<N> {
     let size = a.iter().map(|row| row.iter().map(|x| x.abs()).sum());

@@ -13,7 +13,8 @@ const CLAY: CamClayExact = CamClayExact {
 /// Shear modulus over bulk modulus of that Poisson's ratio.
 const R: f64 = 0.6;
 
-/// Rates of p, q and deviator strain where the volume strains by dv and q rises by dq on the yield surface `(q/M)² = p (p_c - p)`:
+/// Rates of p, q and deviator strain where the volume strains by dv and q rises by dq on the yield surface `(q/M)² = p
+/// (p_c - p)`:
 /// `dp_c = p_c de_v^p/(lambda - kappa)`, `de_v^p : de_q^p = (M² - eta²) : 2 eta`.
 fn plastic(p: f64, q: f64, dp: f64, dq: f64) -> [f64; 2] {
     let m = CLAY.critical_ratio;

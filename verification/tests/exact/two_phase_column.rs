@@ -1,6 +1,6 @@
 //! The column of soil and water: both equations of motion, the limits of Terzaghi and of no drainage.
 
-use crate::derivative;
+use crate::exact::derivative;
 use approx::assert_relative_eq;
 use proctor_verification::exact::consolidation::Layer;
 use proctor_verification::exact::two_phase_column::TwoPhaseColumn;
@@ -41,7 +41,8 @@ fn values_of_another_program() {
     }
 }
 
-/// The total stress has the slope of the momentum of both: `sigma'_z - p_z = (1 - n) rho_s u'' + n rho_w w''`; with little water
+/// The total stress has the slope of the momentum of both: `sigma'_z - p_z = (1 - n) rho_s u'' + n rho_w w''`; with
+/// little water
 /// flow `w'' = u''` and the mean density is that of both.
 #[test]
 fn momentum_of_both_balances() {
@@ -67,7 +68,8 @@ fn momentum_of_both_balances() {
     assert!(inertia.abs() > 0.1 * size, "{inertia}");
 }
 
-/// Slow loading has no inertia left: Terzaghi's pressure, with the ramp in equal shares of the degree of that polynomial.
+/// Slow loading has no inertia left: Terzaghi's pressure, with the ramp in equal shares of the degree of that
+/// polynomial.
 #[test]
 fn slow_loading_is_terzaghi() {
     let column = column(1e-5);

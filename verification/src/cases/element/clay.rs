@@ -44,7 +44,8 @@ fn triaxial(p: f64, eta: f64) -> [f64; 6] {
     [across, across, -p * (1.0 + 2.0 * eta / 3.0), 0.0, 0.0, 0.0]
 }
 
-/// Stress in first compression of the clay at rest, after a strain along the axis: the stress ratio stays, and ln v is straight in
+/// Stress in first compression of the clay at rest, after a strain along the axis: the stress ratio stays, and ln v is
+/// straight in
 /// ln p.
 pub(super) fn at_rest(stiffer: f64, strain: f64) -> [f64; 6] {
     let clay = exact(stiffer);
