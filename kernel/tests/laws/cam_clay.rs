@@ -128,6 +128,58 @@ fn an_undrained_strength_is_that_of_the_critical_state() {
     }
 }
 
+/// Compressed along z by a strain in equal steps, under a pressure around that stays: the strain across is looked for by halvings.
+fn drained(law: CamClay, strain: f64, steps: u32) -> Point {
+    let mut point = pressed(law, START);
+    let e = strain / f64::from(steps);
+    for _ in 0..steps {
+        let stepped = |across: f64| {
+            let mut after = point.clone();
+            let strained = after.strain(&[across, across, -e, 0.0, 0.0, 0.0], 1.0);
+            strained.expect("a stress");
+            after
+        };
+        let (mut low, mut high) = (-e, e);
+        for _ in 0..50 {
+            let middle = 0.5 * (low + high);
+            if stepped(middle).stress()[0] > -START {
+                high = middle;
+            } else {
+                low = middle;
+            }
+        }
+        point = stepped(0.5 * (low + high));
+    }
+    point
+}
+
+/// On the drained path q = 3 (p - p_0) the volume strain is kappa ln(p/p_0) + (lambda - kappa) ln(p_c/p_0) for any step; the
+/// strain is of first order.
+#[test]
+fn a_drained_path_is_the_closed_form() {
+    let off = |steps: u32| {
+        let point = drained(clay(), 0.05, steps);
+        let [p, q] = invariants(&point.stress());
+        close(q, 3.0 * (p - START), 1e-9, START);
+        let eta = q / p;
+        let risen = (p / START).ln();
+        let hardened = risen + (eta / M).powi(2).ln_1p();
+        let volume = SWELLING * risen + (FIRST - SWELLING) * hardened;
+        close(-point.volume().ln(), volume, 1e-10, 1.0);
+        let integral = |x: f64| {
+            let ends = -(M - x).ln() / (3.0 - M) - (M + x).ln() / (3.0 + M);
+            ends + 6.0 / (9.0 - M * M) * (3.0 - x).ln()
+        };
+        let bent = 2.0 / M * ((eta / M).atanh() - (eta / M).atan());
+        let sheared =
+            (FIRST - SWELLING) * (integral(eta) - integral(0.0) + bent) + SWELLING / 0.6 * risen;
+        (sheared + volume / 3.0 - 0.05).abs()
+    };
+    let errors = [100, 200, 400].map(off);
+    first_order(&errors);
+    assert!(errors[2] < 2e-4, "{errors:?}");
+}
+
 /// Random strains: the stress lies on the ellipse or within, flow is along its normal, nothing comes from plastic work.
 #[test]
 fn a_return_keeps_what_defines_it() {

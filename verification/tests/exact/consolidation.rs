@@ -1,6 +1,6 @@
 //! Consolidation: the table of degrees, both differential equations, and the load that comes on.
 
-use crate::exact::derivative;
+use super::derivative;
 use approx::assert_relative_eq;
 use proctor_verification::exact::consolidation::{Layer, degree};
 

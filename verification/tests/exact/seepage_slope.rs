@@ -1,6 +1,6 @@
 //! The slope with seepage: balance of soil and water in both directions, and the textbook's factor of safety.
 
-use crate::exact::derivative;
+use super::derivative;
 use approx::assert_relative_eq;
 use proctor_verification::exact::seepage_slope::SeepageSlope;
 

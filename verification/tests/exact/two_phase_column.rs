@@ -1,6 +1,6 @@
 //! The column of soil and water: both equations of motion, the limits of Terzaghi and of no drainage.
 
-use crate::exact::derivative;
+use super::derivative;
 use approx::assert_relative_eq;
 use proctor_verification::exact::consolidation::Layer;
 use proctor_verification::exact::two_phase_column::TwoPhaseColumn;
