@@ -67,6 +67,7 @@ impl KeptScene {
         let work = Work {
             name: self.name,
             scenes: &scenes,
+            earlier: &[],
             offsets: 0,
             snapshot_at: None,
             options,

@@ -1,5 +1,6 @@
 //! Error bars of a user's scene: runs on several meshes, their quantities, and what is kept and shown of them.
 
+mod dense;
 pub mod extent;
 pub mod judge;
 pub(crate) mod kept;
@@ -9,4 +10,5 @@ pub mod place;
 pub mod quantity;
 pub mod rows;
 pub mod run;
+mod stages;
 pub mod work;

@@ -9,6 +9,25 @@ use crate::record::{LADDER, Record, Row, key};
 /// Name of the aggregates that are bars.
 pub const BAR: &str = "bar";
 
+/// The history of the column of a quantity on the finest mesh with its bars, as a table in CSV: time, value and half-width of
+/// the bar, empty where none is claimed.
+#[must_use]
+pub fn history(refined: &Refined, judged: &Judged, runs: &Runs) -> Option<String> {
+    let column = &judged.quantity.column;
+    let values = runs.meshes.last()?.columns.get(column)?;
+    let claimed = judged.bar().is_some();
+    let mut table = format!("time,{column},bar\n");
+    for (k, (time, value)) in refined.times.iter().zip(values).enumerate() {
+        let bar = judged
+            .curve
+            .get(k)
+            .filter(|bar| claimed && bar.verdict.claims());
+        let bar = bar.map_or_else(String::new, |bar| bar.width.to_string());
+        table.push_str(&format!("{time},{value},{bar}\n"));
+    }
+    Some(table)
+}
+
 /// Adds all runs, and where they were judged every quantity.
 pub fn push(
     record: &mut Record,

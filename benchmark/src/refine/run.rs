@@ -1,6 +1,8 @@
 //! A scene on one mesh: its history, impulses of contact, and extents of the bodies that flow.
 
+use super::dense::Dense;
 use super::extent::Extents;
+use super::stages;
 use crate::measure::{Spent, Stopwatch};
 use proctor_files::run::HistoryRows;
 use proctor_scene::simulation::{Options, SetupError, Simulation};
@@ -43,23 +45,80 @@ pub struct MeshRun {
     pub interrupted: bool,
 }
 
-/// Runs a scene. `go` hears in every step of the share that is done and answers whether to go on. The fields of the particles
-/// are kept at the last output until `snapshot_at` \[s\], where that is given.
+/// A pause of the steps.
+enum Pause {
+    /// A state is wanted for the history.
+    Row,
+    /// An output time.
+    Stop,
+    /// A step failed, with its reason, or the caller ended the run.
+    Ended(Option<String>),
+}
+
+impl MeshRun {
+    /// Of a scene that never began, since a stage before it failed or was interrupted.
+    fn without_steps(
+        scene: &Scene,
+        spent: Spent,
+        fault: Option<String>,
+        interrupted: bool,
+    ) -> Self {
+        let axes = scene.dimension.axes();
+        Self {
+            cell: scene.size_of_cell(),
+            cells: scene.mesh.cells[..axes].to_vec(),
+            particles: 0,
+            steps: 0,
+            spent,
+            times: vec![],
+            columns: BTreeMap::new(),
+            bounds: [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]],
+            snapshot: None,
+            fault,
+            interrupted,
+        }
+    }
+}
+
+/// Runs a scene behind the stages that come before it on the same mesh. `go` hears in every step of the share that is done
+/// and answers whether to go on. The fields of the particles are kept at the last output until `snapshot_at` \[s\], where that
+/// is given. A history with an interval of its own is read at its multiples, between the two states around each, so that no
+/// step is cut for it.
 ///
 /// # Errors
 /// The reason why the scene cannot be set up.
 pub fn run(
     scene: &Scene,
+    earlier: &[Scene],
     options: &Options,
     snapshot_at: Option<f64>,
     go: &(dyn Fn(f64) -> bool + Sync),
 ) -> Result<MeshRun, Box<SetupError>> {
     let (scene, probes) = prepared(scene);
-    let options = with_displacement(options);
+    let mut options = with_displacement(options);
     let mut stopwatch = Stopwatch::default();
+    let stages = earlier.len() as f64 + 1.0;
+    let settled =
+        stopwatch.time(|| stages::run(earlier, &scene, &options, &|done| go(done / stages)));
+    let (start, fault, interrupted) = match settled? {
+        stages::Ended::At(start) => (start, None, false),
+        stages::Ended::Failed(fault) => (None, Some(fault), false),
+        stages::Ended::Interrupted => (None, None, true),
+    };
+    if fault.is_some() || interrupted {
+        return Ok(MeshRun::without_steps(
+            &scene,
+            stopwatch.spent,
+            fault,
+            interrupted,
+        ));
+    }
+    options.start = start;
+    let go = |share: f64| go((stages - 1.0 + share) / stages);
     let simulation = stopwatch.time(|| Simulation::new(&scene, &options));
     let mut simulation = simulation.map_err(Box::new)?;
     let mut recorder = Recorder::new(&simulation, &probes);
+    let mut dense = scene.results.history_interval.map(Dense::new);
     recorder.note(&mut simulation);
     let particles = simulation.particles();
     let (mut fault, mut interrupted) = (None, false);
@@ -72,24 +131,47 @@ pub fn run(
             TimeStep::Fixed { dt, .. } => 0.5 * dt,
             _ => 0.0,
         };
-        let (simulation, recorder) = (&mut simulation, &mut recorder);
+        let (simulation, recorder, dense) = (&mut simulation, &mut recorder, &mut dense);
         let ended = stopwatch.time(|| {
-            team.lead(|| {
-                while simulation.time() + slack < stop {
-                    match simulation.step(stop) {
-                        Err(error) => return Some(Some(error.to_string())),
-                        Ok(info) => recorder.add_impulses(simulation, info.dt),
+            loop {
+                let pause = team.lead(|| {
+                    while simulation.time() + slack < stop {
+                        let info = match simulation.step(stop) {
+                            Err(error) => return Pause::Ended(Some(error.to_string())),
+                            Ok(info) => info,
+                        };
+                        recorder.add_impulses(simulation, info.dt);
+                        if !go(simulation.time() / scene.time) {
+                            return Pause::Ended(None);
+                        }
+                        if dense
+                            .as_ref()
+                            .is_some_and(|dense| dense.is_near(simulation.time(), info.dt))
+                        {
+                            return Pause::Row;
+                        }
                     }
-                    if !go(simulation.time() / scene.time) {
-                        return Some(None);
+                    Pause::Stop
+                });
+                match (pause, &mut *dense) {
+                    (Pause::Row, Some(dense)) => {
+                        let row = recorder.row(simulation);
+                        for (time, row) in dense.rows(simulation.time(), row) {
+                            recorder.push(time, row);
+                        }
+                        recorder.add_bounds(simulation);
                     }
+                    (Pause::Row, None) => {}
+                    (Pause::Stop, _) => return None,
+                    (Pause::Ended(fault), _) => return Some(fault),
                 }
-                None
-            })
+            }
         });
         match ended {
             None => {
-                recorder.note(simulation);
+                if dense.is_none() {
+                    recorder.note(simulation);
+                }
                 let next = stop + scene.time / outputs;
                 if snapshot_at.is_some_and(|time| (stop..next).contains(&(time * (1.0 + 1e-9)))) {
                     snapshot = Some(Snapshot::of(simulation));
@@ -225,6 +307,13 @@ impl Recorder {
 
     /// Adds a value to every column.
     fn note(&mut self, simulation: &mut Simulation) {
+        let row = self.row(simulation);
+        self.push(simulation.time(), row);
+        self.add_bounds(simulation);
+    }
+
+    /// The values of all columns.
+    fn row(&self, simulation: &mut Simulation) -> Vec<f64> {
         let energy = simulation.energy();
         let simulation = &*simulation;
         let axes = simulation.plan().axes;
@@ -248,11 +337,15 @@ impl Recorder {
             row.extend_from_slice(&impulse[..axes]);
         }
         row.extend(self.extents.values(simulation));
+        row
+    }
+
+    /// Adds a row of a time \[s\].
+    fn push(&mut self, time: f64, row: Vec<f64>) {
         for (column, value) in self.columns.iter_mut().zip(row) {
             column.push(value);
         }
-        self.times.push(simulation.time());
-        self.add_bounds(simulation);
+        self.times.push(time);
     }
 
     fn add_bounds(&mut self, simulation: &Simulation) {

@@ -53,6 +53,8 @@ pub struct Work<'a> {
     pub name: &'a str,
     /// The scenes.
     pub scenes: &'a [Scene],
+    /// For each of them the stages before it on the same mesh; empty where there are none.
+    pub earlier: &'a [Vec<Scene>],
     /// Number of places of the middle mesh beside its own.
     pub offsets: usize,
     /// Time at which the fields of the particles are kept \[s\].
@@ -72,7 +74,7 @@ impl Work<'_> {
         let mut runs = Runs::default();
         for (k, scene) in self.scenes.iter().enumerate() {
             let label = format!("h = {} m", number(scene.size_of_cell()));
-            let done = self.one(scene, &label, interrupt)?;
+            let done = self.one(scene, self.before(k), &label, interrupt)?;
             let stops = done.fault.is_some() || done.interrupted;
             if done.interrupted {
                 return Ok(runs);
@@ -90,7 +92,12 @@ impl Work<'_> {
             return Ok(runs);
         };
         let scene = &self.scenes[middle];
-        let axes = place::free_axes(scene, runs.meshes[middle].bounds);
+        let bounds = runs.meshes[middle].bounds;
+        let mut axes = place::free_axes(scene, bounds);
+        for stage in self.before(middle) {
+            let free = place::free_axes(stage, bounds);
+            axes.retain(|axis| free.contains(axis));
+        }
         runs.along = axes.iter().map(|axis| LETTERS[*axis]).collect();
         if axes.is_empty() {
             return Ok(runs);
@@ -98,8 +105,12 @@ impl Work<'_> {
         for k in 1..=self.offsets {
             let part = k as f64 / (self.offsets + 1) as f64;
             let moved = place::moved(scene, &axes, part);
+            let before = self.before(middle).iter();
+            let before: Vec<Scene> = before
+                .map(|stage| place::moved(stage, &axes, part))
+                .collect();
             let label = format!("mesh moved by {} of a cell", number(part));
-            let done = self.one(&moved, &label, interrupt)?;
+            let done = self.one(&moved, &before, &label, interrupt)?;
             if done.interrupted {
                 break;
             }
@@ -108,14 +119,20 @@ impl Work<'_> {
         Ok(runs)
     }
 
+    /// The stages before the scene on a mesh.
+    fn before(&self, mesh: usize) -> &[Scene] {
+        self.earlier.get(mesh).map_or(&[], Vec::as_slice)
+    }
+
     fn one(
         &self,
         scene: &Scene,
+        earlier: &[Scene],
         label: &str,
         interrupt: &Interrupt,
     ) -> Result<MeshRun, Box<SetupError>> {
         let progress = Mutex::new(Progress::new(&format!("{}, {label}", self.name)));
-        run(scene, self.options, self.snapshot_at, &|share| {
+        run(scene, earlier, self.options, self.snapshot_at, &|share| {
             let mut progress = progress.lock().unwrap_or_else(PoisonError::into_inner);
             progress.at(share);
             !interrupt.raised()

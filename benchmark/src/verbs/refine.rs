@@ -2,8 +2,8 @@
 
 mod methods;
 
-use super::scene;
 use super::settings::{Settings, bounded};
+use super::stages;
 use crate::exit::{Failure, Outcome};
 use crate::interrupt::Interrupt;
 use crate::record::Record;
@@ -16,11 +16,11 @@ use crate::show::figures::refine as figures;
 use crate::show::paint::{Mark, Paint};
 use crate::show::{number, refine as show};
 use clap::Args;
-use proctor_files::json::SourceMap;
+use proctor_files::json::{SourceMap, Stage};
 use proctor_files::output::atomic;
 use proctor_kernel::lanes::Selected;
-use proctor_scene::Scene;
 use proctor_scene::simulation::Options;
+use proctor_scene::{Problem, Scene};
 use proctor_verification::refine::Meshes;
 use proctor_verification::refine::field::Field;
 use std::io::Write;
@@ -54,6 +54,9 @@ pub struct Refine {
     /// Places of the middle mesh beside its own, moved by parts of a cell [default: 3 with contact between bodies, else 0]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(..=15))]
     offsets: Option<u8>,
+    /// Stage to judge; those before it are run on each mesh, too [default: the last one]
+    #[arg(long, value_name = "NAME")]
+    stage: Option<String>,
     /// Judge the run up to this time alone, in seconds
     #[arg(long, value_name = "T", value_parser = time)]
     until: Option<f64>,
@@ -120,33 +123,93 @@ fn on_meshes(scene: &Scene, meshes: &Meshes, places: &SourceMap) -> Result<Vec<S
     })
 }
 
+/// For each mesh the stages, each with a change.
+fn stages_on_meshes(
+    stages: &[Stage],
+    meshes: &Meshes,
+    change: impl Fn(&Scene) -> Scene,
+) -> Result<Vec<Vec<Scene>>, Failure> {
+    let mut all = vec![vec![]; meshes.count];
+    for stage in stages {
+        let scenes = on_meshes(&change(&stage.scene), meshes, &stage.places)?;
+        for (mesh, scene) in all.iter_mut().zip(scenes) {
+            mesh.push(scene);
+        }
+    }
+    Ok(all)
+}
+
+/// Stages that begin from nothing but what they are given: a state from a file is one of a single mesh.
+fn from_the_start(stages: &[Stage]) -> Result<(), Failure> {
+    match stages.first() {
+        Some(first) if first.scene.initial_state.is_some() => {
+            let problem = Problem::new(
+                "initial_state",
+                "the state of a run on one mesh",
+                "the scene of that run as a stage before this one (`stages`), which is run on each mesh",
+            );
+            Err(Failure::BadInput(first.places.of_problem(&problem)))
+        }
+        _ => Ok(()),
+    }
+}
+
 impl Refine {
+    /// The stage that is judged and those before it.
+    fn chosen(&self, mut stages: Vec<Stage>) -> Result<(Stage, Vec<Stage>), Failure> {
+        if let Some(name) = &self.stage {
+            let known: Vec<&str> = stages.iter().map(|stage| stage.name.as_str()).collect();
+            let Some(place) = known.iter().position(|known| known == name) else {
+                let accepted = match &known[..] {
+                    [""] => "no --stage, since the scene has no stages".to_owned(),
+                    _ => known.join(", "),
+                };
+                return Err(Failure::BadInput(format!(
+                    "--stage: found {name:?}; accepted: {accepted}"
+                )));
+            };
+            stages.truncate(place + 1);
+        }
+        from_the_start(&stages)?;
+        let judged = stages.pop();
+        let judged = judged.ok_or_else(|| Failure::BadInput("no stage".to_owned()))?;
+        Ok((judged, stages))
+    }
+
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
-        let (scene, places) = scene(&self.scene)?;
+        let (stage, before) = self.chosen(stages(&self.scene)?)?;
+        let Stage { scene, places, .. } = &stage;
         let options = self.settings.options()?;
         Selected::new(options.lanes).map_err(Failure::bad_input)?;
         if let (None, Some(threads)) = (options.threads, scene.threads) {
             bounded(&format!("{}: n_threads", self.scene.display()), threads)?;
         }
-        self.in_time(&scene)?;
+        self.in_time(scene)?;
         let meshes = Meshes {
             count: self.meshes.into(),
             ratio: self.ratio,
             finer: self.finer.into(),
         };
-        let scenes = on_meshes(&scene, &meshes, &places)?;
+        let earlier = stages_on_meshes(&before, &meshes, Scene::clone)?;
+        let scenes = on_meshes(scene, &meshes, places)?;
         let offsets = match self.offsets {
             Some(offsets) => offsets.into(),
             None if scene.contacts.is_empty() => 0,
             None => 3,
         };
-        for note in meshes.notes(&scene, offsets) {
+        for note in meshes.notes(scene, offsets) {
             say!("note: {note}");
         }
-        if !self.methods.is_empty() {
-            return self.side_by_side(&scene, &meshes, &places, &options, out);
+        if scene.until.is_some() {
+            say!(
+                "note: `until` does not end the judged run, which goes on to {} s on each mesh",
+                scene.time
+            );
         }
-        self.refine(&scene, &scenes, &places, offsets, &options, out)
+        if !self.methods.is_empty() {
+            return self.side_by_side(&stage, &before, &meshes, &options, out);
+        }
+        self.refine(&stage, &scenes, &earlier, offsets, &options, out)
     }
 
     /// Judged times and times of quantities that the scene reaches.
@@ -199,9 +262,9 @@ impl Refine {
 
     fn refine(
         &self,
-        scene: &Scene,
+        Stage { scene, places, .. }: &Stage,
         scenes: &[Scene],
-        places: &SourceMap,
+        earlier: &[Vec<Scene>],
         offsets: usize,
         options: &Options,
         out: &mut dyn Write,
@@ -225,6 +288,7 @@ impl Refine {
         let work = Work {
             name: &scene.name,
             scenes,
+            earlier,
             offsets,
             snapshot_at: (!self.field.is_empty()).then(|| self.until.unwrap_or(scene.time)),
             options,
@@ -325,9 +389,14 @@ fn pictures(
     let mut written = 0;
     for judged in &refined.judged {
         let name = format!("{}-{}", refined.scene, judged.quantity.name);
-        let name = name.replace(['/', '\\', ' '], "-");
+        let name = name.replace(", ", "-").replace(['/', '\\', ' '], "-");
         let settling = figures::settling(refined, judged, runs);
         let history = figures::history(refined, judged, runs);
+        if let Some(table) = rows::history(refined, judged, runs) {
+            let path = folder.join(format!("{name}-time.csv"));
+            atomic::write(&path, |file| file.write_all(table.as_bytes()))
+                .map_err(Failure::bad_input)?;
+        }
         for (chart, what) in [(Some(settling), "meshes"), (history, "time")] {
             let Some(chart) = chart else { continue };
             let path = folder.join(format!("{name}-{what}.svg"));
@@ -336,6 +405,10 @@ fn pictures(
             written += 1;
         }
     }
-    writeln!(out, "{written} pictures in {}", folder.display())?;
+    writeln!(
+        out,
+        "{written} pictures in {}, and the histories with their bars as tables",
+        folder.display()
+    )?;
     Ok(())
 }

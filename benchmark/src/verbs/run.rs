@@ -45,7 +45,7 @@ pub struct Run {
     picture: bool,
     #[command(flatten)]
     settings: Settings,
-    /// Checkpoint of the same scene to go on from
+    /// Checkpoint of the same scene to go on from; of a scene with stages, that in the folder of the stage that is to go on
     #[arg(long, value_name = "FILE")]
     restart: Option<PathBuf>,
 }
@@ -65,7 +65,8 @@ impl Run {
         if let [Stage { name, .. }] = &stages[..]
             && name.is_empty()
         {
-            return self.run_stage(&stages[0], self.out.as_deref(), &interrupt, out);
+            let restart = self.restart.as_deref();
+            return self.run_stage(&stages[0], self.out.as_deref(), restart, &interrupt, out);
         }
         let Some(folder) = &self.out else {
             return Err(Failure::BadInput(format!(
@@ -73,21 +74,24 @@ impl Run {
                 self.scene.display()
             )));
         };
-        if self.restart.is_some() {
-            return Err(Failure::BadInput(format!(
-                "{}: --restart goes on with a scene of one stage; accepted: no --restart, or a scene without stages that \
-                 begins from the stage before by `initial_state`",
-                self.scene.display()
-            )));
-        }
-        let mut before: Option<PathBuf> = None;
-        for (number, mut stage) in stages.into_iter().enumerate() {
+        let folders: Vec<String> = (stages.iter().enumerate())
+            .map(|(number, stage)| format!("{}-{}", number + 1, stage.name))
+            .collect();
+        let first = match &self.restart {
+            Some(checkpoint) => stage_of(checkpoint, &folders)?,
+            None => 0,
+        };
+        let mut before = first
+            .checked_sub(1)
+            .map(|number| folder.join(&folders[number]));
+        for (number, mut stage) in stages.into_iter().enumerate().skip(first) {
             if let (Some(state), Some(before)) = (&mut stage.scene.initial_state, before) {
                 state.file = before;
             }
-            let own = folder.join(format!("{}-{}", number + 1, stage.name));
+            let own = folder.join(&folders[number]);
             writeln!(out, "stage {}", stage.name)?;
-            let outcome = self.run_stage(&stage, Some(&own), &interrupt, out)?;
+            let restart = self.restart.as_deref().filter(|_| number == first);
+            let outcome = self.run_stage(&stage, Some(&own), restart, &interrupt, out)?;
             if outcome != Outcome::Fine {
                 return Ok(outcome);
             }
@@ -101,6 +105,7 @@ impl Run {
         &self,
         Stage { scene, places, .. }: &Stage,
         folder: Option<&Path>,
+        restart: Option<&Path>,
         interrupt: &Interrupt,
         out: &mut dyn Write,
     ) -> Result<Outcome, Failure> {
@@ -109,7 +114,7 @@ impl Run {
             let key = format!("{}: n_threads", self.scene.display());
             bounded(&key, threads)?;
         }
-        let mut run = KernelRun::start(scene, &options, folder, self.restart.as_deref())
+        let mut run = KernelRun::start(scene, &options, folder, restart)
             .map_err(|error| Failure::BadInput(told(places, &error)))?;
         if folder.is_none() {
             // Now, and not after a run of hours.
@@ -161,6 +166,24 @@ impl Run {
             _ => Outcome::Failed,
         })
     }
+}
+
+/// The stage in whose folder a checkpoint lies.
+fn stage_of(checkpoint: &Path, folders: &[String]) -> Result<usize, Failure> {
+    let absolute = checkpoint.canonicalize().map_err(|error| {
+        Failure::BadInput(format!("--restart: {}: {error}", checkpoint.display()))
+    })?;
+    let folder = absolute.parent().and_then(Path::file_name);
+    let found = folders
+        .iter()
+        .position(|own| folder.is_some_and(|folder| folder == own.as_str()));
+    found.ok_or_else(|| {
+        Failure::BadInput(format!(
+            "--restart: found {}; accepted: the checkpoint in the folder of a stage, {}",
+            checkpoint.display(),
+            folders.join(", ")
+        ))
+    })
 }
 
 /// Why a run cannot start or go on, with the place in the scene where there is one.

@@ -1,6 +1,6 @@
 //! `proctor refine --methods`: ladders of several methods side by side.
 
-use super::{Refine, on_meshes};
+use super::{Refine, on_meshes, stages_on_meshes};
 use crate::exit::{Failure, Outcome};
 use crate::interrupt::Interrupt;
 use crate::record::{BY_SCENE, Record};
@@ -10,8 +10,7 @@ use crate::refine::work::Work;
 use crate::say::say;
 use crate::show::paint::Paint;
 use crate::show::refine_methods as show;
-use proctor_files::json::SourceMap;
-use proctor_scene::Scene;
+use proctor_files::json::Stage;
 use proctor_scene::simulation::Options;
 use proctor_verification::refine::Meshes;
 use proctor_verification::settings::Method;
@@ -26,7 +25,7 @@ const MOST: usize = 4;
 ///
 /// # Errors
 /// An unknown one, or too few or too many.
-pub fn chosen(names: &[String], scene: &Scene) -> Result<Vec<Method>, Failure> {
+pub fn chosen(names: &[String], scene: &proctor_scene::Scene) -> Result<Vec<Method>, Failure> {
     if names == [ALL] {
         return Ok(methods::usual(scene));
     }
@@ -52,12 +51,13 @@ impl Refine {
     /// Refines the scene with each method; fails where their bars do not overlap.
     pub(super) fn side_by_side(
         &self,
-        scene: &Scene,
+        stage: &Stage,
+        before: &[Stage],
         meshes: &Meshes,
-        places: &SourceMap,
         options: &Options,
         out: &mut dyn Write,
     ) -> Result<Outcome, Failure> {
+        let Stage { scene, places, .. } = stage;
         let chosen = chosen(&self.methods, scene)?;
         let mut record = Record::new(options);
         record.set_incomplete(true);
@@ -74,11 +74,13 @@ impl Refine {
                 continue;
             }
             let scenes = on_meshes(&with, meshes, places)?;
+            let earlier = stages_on_meshes(before, meshes, |scene| methods::with(scene, method))?;
             self.has_columns(&scenes[0], options, places)?;
             let name = format!("{}/{}", scene.name, methods::word(method));
             let work = Work {
                 name: &name,
                 scenes: &scenes,
+                earlier: &earlier,
                 offsets: self.offsets.unwrap_or(0).into(),
                 snapshot_at: None,
                 options,

@@ -35,7 +35,8 @@ use files::Files;
 use proctor_scene::Scene;
 use proctor_scene::plan::Plan;
 use proctor_scene::simulation::{
-    BodyEnergy, Energy, Event, EventKind, Options, ResultWarning, Simulation, StepError, StepInfo,
+    BodyEnergy, Energy, Event, EventKind, Options, ResultWarning, Simulation, StartState,
+    StepError, StepInfo,
 };
 use serde_json::{Value, json};
 use std::path::Path;
@@ -64,7 +65,8 @@ pub struct Run {
 }
 
 impl Run {
-    /// Sets up a simulation, and in `folder`, if given, its files with the state at the start. With `restart`
+    /// Sets up a simulation, and in `folder`, if given, its files with the state at the start. A start state in the options
+    /// stands for the run that the scene begins from. With `restart`
     /// the state comes from a checkpoint of the same scene, not from the run that the scene begins from, and files in the folder are continued; without it what the
     /// lists of an earlier run name there is taken away. The folder belongs to this run until it is dropped.
     ///
@@ -77,8 +79,8 @@ impl Run {
         restart: Option<&Path>,
     ) -> Result<Self, RunError> {
         let start = match restart {
-            None => start_state::read(scene)?,
-            Some(_) => None,
+            None if options.start.is_none() => start_state::read(scene)?,
+            _ => None,
         };
         let mut simulation = match start {
             None => Simulation::new(scene, options)?,
@@ -287,6 +289,15 @@ impl Run {
             error: self.failure.as_ref().map(ToString::to_string),
             ..Summary::default()
         }
+    }
+
+    /// The bodies as they are now, for a scene that begins from them; `keeps_velocity` is what that scene does.
+    ///
+    /// # Errors
+    /// See [`RunError`].
+    pub fn state(&self, keeps_velocity: bool) -> Result<StartState, RunError> {
+        let name = &self.simulation.scene().name;
+        Ok(start_state::of(&self.simulation, name, keeps_velocity)?)
     }
 
     /// The output folder, where there is one.

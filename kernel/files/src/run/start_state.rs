@@ -1,10 +1,10 @@
 //! The start of a scene from the state of another run.
 
 use super::RunError;
-use super::state::text;
+use super::state::{save, text};
 use crate::output::{Checkpoint, CheckpointError};
 use proctor_kernel::stage::g2p::ParticleMaxima;
-use proctor_scene::simulation::{StartBody, StartState};
+use proctor_scene::simulation::{Simulation, StartBody, StartState};
 use proctor_scene::{Scene, StateFile};
 use std::path::Path;
 
@@ -27,6 +27,15 @@ pub(super) fn read(scene: &Scene) -> Result<Option<StartState>, RunError> {
     };
     let checkpoint = Checkpoint::read(file)?;
     Ok(Some(bodies(&checkpoint, file, *keeps_velocity)?))
+}
+
+/// The bodies of a simulation as they are now, with a name for messages.
+pub(super) fn of(
+    simulation: &Simulation,
+    name: &str,
+    keeps_velocity: bool,
+) -> Result<StartState, CheckpointError> {
+    bodies(&save(simulation), Path::new(name), keeps_velocity)
 }
 
 fn bodies(

@@ -8,7 +8,8 @@ use proctor_scene::simulation::{
     AbsorbingNode, Clock, EnergyLedger, Event, EventKind, Extremes, Groups, Invariant,
     InvariantMonitor, ParticleAt, RestoreError, Saved, Simulation, State, Violation,
 };
-use proctor_scene::{Results, Scene};
+use proctor_scene::{Results, Scene, StateFile};
+use std::path::PathBuf;
 
 /// Fingerprint of what a scene simulates: not its name, its end, its outputs or its threads, which a restart may
 /// change.
@@ -20,6 +21,11 @@ pub(super) fn fingerprint(scene: &Scene) -> u64 {
         results: Results::NONE,
         probes: vec![],
         threads: None,
+        // The folder of the stage before may have moved; what came from it is in the checkpoint.
+        initial_state: scene.initial_state.as_ref().map(|state| StateFile {
+            file: PathBuf::new(),
+            ..state.clone()
+        }),
         ..scene.clone()
     };
     // FNV-1a over the text of all values; f64 prints so that it reads back to the same bits.

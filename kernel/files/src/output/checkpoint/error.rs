@@ -157,7 +157,8 @@ impl fmt::Display for CheckpointError {
             Self::OtherScene { expected, found } => {
                 write!(
                     f,
-                    "checkpoint of another scene: fingerprint {found:016x}, this scene has {expected:016x}"
+                    "checkpoint of another scene: fingerprint {found:016x}, this scene has {expected:016x}. A restart may change `time`, \
+                     `until`, outputs, probes and threads; a scene with other changes begins from a checkpoint by `initial_state`"
                 )
             }
             Self::MissingSection { name } => write!(f, "the checkpoint has no section '{name}'"),
