@@ -34,6 +34,7 @@ mod runs;
 mod scripts;
 mod soils;
 mod stability;
+mod stages;
 mod standard_input;
 mod support;
 mod terminal;

@@ -27,8 +27,13 @@ pub(super) struct Forecast {
 }
 
 impl Forecast {
-    /// Takes a few steps of a scene that was set up.
-    pub(super) fn new(scene: &Scene, places: &SourceMap, simulation: &mut Simulation) -> Self {
+    /// Takes a few steps of a scene that was set up, with a number of warnings.
+    pub(super) fn new(
+        scene: &Scene,
+        places: &SourceMap,
+        simulation: &mut Simulation,
+        warnings: usize,
+    ) -> Self {
         let mut rows = vec![];
         let (infos, fault) = Self::steps(scene, places, simulation);
         if let Some((step, bound)) = typical(&infos) {
@@ -61,7 +66,7 @@ impl Forecast {
             let memory = words(estimate_memory(scene).bytes);
             rows.push(("memory", format!("about {memory}")));
             rows.push(("output", words_of(&output)));
-            let text = match simulation.plan().warnings.len() {
+            let text = match warnings {
                 0 => "none".to_owned(),
                 n => format!("{n}, above"),
             };

@@ -2,14 +2,10 @@
 
 use crate::show::{Table, grouped};
 use proctor_kernel::layout::Layout;
-use proctor_scene::simulation::{Options, Simulation};
-use proctor_scene::{
-    Damping, InitialStress, Scene, Shape, TimeStep, Transfer, TransferKind, Vector,
-};
+use proctor_scene::simulation::Simulation;
+use proctor_scene::{InitialStress, Scene, Shape};
 
-/// Time step over that of the scene in which forces do not change and velocities are accelerations.
-const INSTANT: f64 = 1e-9;
-/// Acceleration over gravity below which the start is in equilibrium to round-off.
+/// Unbalanced forces over the weight below which the start is in equilibrium to round-off.
 const BALANCED: f64 = 1e-6;
 
 /// Volumes and masses by material, where a body is ground below a surface or a solid from a file.
@@ -38,60 +34,24 @@ pub(super) fn volumes(scene: &Scene, simulation: &Simulation) -> Option<Table> {
     Some(table)
 }
 
-/// A line on how far ground at rest below a surface is from equilibrium at the start; `None` where there is none.
-///
-/// # Errors
-/// A simulation that cannot be set up, or a first step that fails.
-pub(super) fn imbalance(scene: &Scene) -> Result<Option<String>, String> {
+/// A line on how far ground at rest below a surface is from equilibrium at the start; `None` where there is none, or where its
+/// forces cannot be measured.
+pub(super) fn imbalance(scene: &Scene, simulation: &mut Simulation) -> Option<String> {
     let rests = |stress: &InitialStress| matches!(stress, InitialStress::Overburden(_));
     if !scene.bodies.iter().any(|body| rests(&body.initial_stress)) {
-        return Ok(None);
+        return None;
     }
-    let axes = scene.dimension.axes();
-    let mut still = scene.clone();
-    still.damping = Damping::None;
-    still.base_motion = None;
-    still.transfer = Transfer::new(TransferKind::Flip);
-    for body in &mut still.bodies {
-        body.velocity = [0.0; 3];
+    let share = simulation.unbalanced_share()?;
+    if share < BALANCED {
+        return Some(
+            "The ground starts in equilibrium: unbalanced forces at the nodes are less\n\
+             than a millionth of the weight."
+                .to_owned(),
+        );
     }
-    let dt = INSTANT * scene.time;
-    still.time_step = TimeStep::Fixed {
-        dt,
-        allow_unstable: true,
-    };
-    let options = Options {
-        threads: Some(1),
-        ..Options::default()
-    };
-    let mut simulation = Simulation::new(&still, &options).map_err(|e| e.to_string())?;
-    simulation.step(dt).map_err(|e| e.to_string())?;
-    let gravity = scene.gravity.iter().map(|g| g * g).sum::<f64>().sqrt();
-    let (mut most, mut place) = (0.0, [0.0; 3]);
-    let (mut squares, mut mass) = (0.0, 0.0);
-    for set in simulation.sets() {
-        for p in 0..set.len() {
-            let velocity = (0..axes).map(|axis| set.columns[Layout::velocity(axes) + axis][p]);
-            let square = velocity.map(|v| (v / dt).powi(2)).sum::<f64>();
-            squares += set.columns[Layout::MASS][p] * square;
-            mass += set.columns[Layout::MASS][p];
-            if square > most {
-                let local = set.position(p);
-                let at: Vector = std::array::from_fn(|axis| local[axis] + scene.mesh.origin[axis]);
-                (most, place) = (square, at);
-            }
-        }
-    }
-    let [most, mean] = [most, squares / mass].map(|square: f64| square.sqrt() / gravity);
-    if most < BALANCED {
-        return Ok(Some(
-            "The ground starts in equilibrium: no particle is accelerated by more than a millionth of gravity.".to_owned(),
-        ));
-    }
-    let place: Vec<String> = place[..axes].iter().map(|x| format!("{x:.3}")).collect();
-    Ok(Some(format!(
-        "The ground does not start in equilibrium: particles are accelerated by {most:.3} times gravity at most, at ({}) m, and by \
-         {mean:.3} in the mean (root of the mean square by mass). Let it settle before anything else happens.",
-        place.join(", ")
-    )))
+    Some(format!(
+        "The ground does not start in equilibrium: unbalanced forces at the nodes add\n\
+         up to {:.2} % of the weight. Let it settle before anything else happens.",
+        100.0 * share
+    ))
 }
