@@ -220,7 +220,7 @@ fn a_stage_goes_on_from_its_checkpoint() {
 }
 
 /// Gravity, damping, box loads and planes change between stages. Sinking is that of confined compression: of the weight
-/// rho g H^2/(2 M), of a force on the top p H/M, and none behind a plane that lets go of nothing.
+/// rho g (H y - y^2/2)/M, of a force p y/M; once more the force sinks it less beside a plane that holds it upright.
 #[test]
 fn loads_damping_and_planes_change_between_stages() {
     let desk = Desk::new();
@@ -234,12 +234,13 @@ fn loads_damping_and_planes_change_between_stages() {
     object["gravity"] = json!([0, 0]);
     let damped = json!({"type": "local", "value": 0.7});
     let force = 4e5;
+    let load = |times: f64| json!([{"force": [0, -times * force], "point_p1": [0, 7.5], "point_p2": [4, 8]}]);
     object["stages"] = json!([
         {"name": "empty"},
         {"name": "weight", "gravity": [0, -9.81], "damping": damped},
-        {"name": "load", "gravity": [0, -9.81], "damping": damped,
-         "mesh": {"boundary_conditions": {"plane_X0": "antisymmetric"}},
-         "box_load": [{"force": [0, -force, 0], "point_p1": [0, 7.5, 0], "point_p2": [4, 8, 0]}]}
+        {"name": "load", "gravity": [0, -9.81], "damping": damped, "box_load": load(1.0)},
+        {"name": "held", "gravity": [0, -9.81], "damping": damped, "box_load": load(2.0),
+         "mesh": {"boundary_conditions": {"plane_X0": "antisymmetric"}}}
     ]);
     let path = desk.scene("loads.json", &scene);
     let output = desk.run(&path, "out", &[]);
@@ -256,8 +257,10 @@ fn loads_damping_and_planes_change_between_stages() {
     let weight = 2000.0 * 9.81 * (h * y - 0.5 * y * y) / CONFINED;
     let found = sunk("2-weight");
     assert!((found / weight - 1.0).abs() < 0.02, "{found} {weight}");
-    // Spread over the upper half metre, whose middle is at 7.75 m.
-    let load = force / 4.0 * 7.75 / CONFINED;
+    // The pressure grows over the upper half metre: half of it is above 7.75 m, three quarters between 7.5 and 7.75 m.
+    let load = force / 4.0 * (7.5 + 0.75 * 0.25) / CONFINED;
     let found = sunk("3-load");
     assert!((found / load - 1.0).abs() < 0.03, "{found} {load}");
+    let found = sunk("4-held");
+    assert!(found > 0.0 && found < 0.8 * load, "{found} {load}");
 }
