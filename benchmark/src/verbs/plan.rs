@@ -49,7 +49,7 @@ impl Plan {
 }
 
 /// Begin of the warning that the stress at the start is out of balance.
-const OUT_OF_BALANCE: &str = "the initial stress is out of balance";
+pub(super) const OUT_OF_BALANCE: &str = "the initial stress is out of balance";
 
 /// Shows the plan of a scene, or of one stage.
 fn show(scene: &Scene, places: &SourceMap, out: &mut dyn Write) -> Result<(), Failure> {

@@ -3,6 +3,7 @@
 mod report;
 
 use super::picture::draw_last;
+use super::plan::OUT_OF_BALANCE;
 use super::settings::{Settings, bounded};
 use super::stages;
 use crate::exit::{Failure, Outcome};
@@ -123,7 +124,10 @@ impl Run {
                 self.scene.display()
             );
         }
-        for warning in &run.simulation().plan().warnings {
+        // Bodies were filled anew before their state came from the checkpoint: their balance then is none of the run.
+        let anew = restart.is_some() && scene.initial_state.is_some();
+        let warnings = run.simulation().plan().warnings.iter();
+        for warning in warnings.filter(|warning| !(anew && warning.starts_with(OUT_OF_BALANCE))) {
             say!("warning: {warning}");
         }
         let first = run.simulation().steps();

@@ -44,6 +44,9 @@ fn how(arguments: &[&str]) -> How {
         ["verify", "refine", ..] => {
             How::NotRun("the kept ladders are not there; tests/command/refine.rs reads them")
         }
+        ["refine", "earthquake.json", ..] => How::NotRun(
+            "three meshes of a slope take a quarter of a minute; tests/command/stages.rs refines a column",
+        ),
         ["verify", "mill", ..] => How::Instead(&["verify", "mill", "--count", "2", "--seed", "5"]),
         // Names and options are looked at; the runs are those of tests/cases.rs.
         ["verify", rest @ ..] if rest.contains(&"--quick") => How::With(&["--list"]),
