@@ -386,6 +386,12 @@ impl Grid {
     }
 }
 
+/// `count` particles in shares of about the same size, `most` at most.
+pub(super) fn shares(count: usize, most: usize) -> impl ExactSizeIterator<Item = Range<usize>> {
+    let shares = count.div_ceil(most.max(1)).max(1);
+    (0..shares).map(move |share| count * share / shares..count * (share + 1) / shares)
+}
+
 /// Work in each plane, from the numbers of particles that begin there: they reach two more planes, and their weights are made
 /// once.
 fn work_of_planes(particles: &[usize]) -> impl Iterator<Item = usize> {

@@ -1,8 +1,6 @@
 //! The mapping of particles to the nodes of their velocity fields.
 
-use super::context::StepContext;
 use super::fields::{Owner, Slab, SlabField};
-use super::water;
 use crate::grid::{GHOSTS_BELOW, GridShape};
 use crate::lanes::Selected;
 use crate::layout::Layout;
@@ -13,6 +11,7 @@ use crate::simulation::values::BodyRun;
 use crate::stage::g2p::Affine;
 use crate::stage::p2g::{self, Carry, P2g, P2gFn};
 use crate::stage::solve::Planes;
+use crate::stage::water::{self, WaterP2g};
 use crate::weights::{
     Family, axis_weights_at, base_node, mean_of_hat, reached, round_off_weight, spline_touching,
 };
@@ -126,7 +125,7 @@ impl ParticleToGrid<'_> {
         let planes = &mut field.planes;
         let groups = match field.owner {
             Owner::Water => {
-                water::map(self, planes, self.free.carry);
+                self.map_water(planes);
                 return 0;
             }
             Owner::Body(body) => self.map(body, planes),
@@ -146,6 +145,24 @@ impl ParticleToGrid<'_> {
             planes.join();
         }
         groups
+    }
+
+    /// Maps the water of all bodies.
+    fn map_water(&self, planes: &mut Planes<'_>) {
+        let layers = self.layers_onto(planes);
+        for (set, body) in self.sets.iter().zip(self.bodies) {
+            if let Some(water) = &body.water {
+                let from = WaterP2g {
+                    set,
+                    mapping: &body.mapping,
+                    water,
+                    stencil: self.stencil,
+                    layers: layers.start..layers.end.min(set.layers.len() - 1),
+                    carry: self.free.carry,
+                };
+                water::map(&from, planes);
+            }
+        }
     }
 
     /// Maps one body.
@@ -221,14 +238,6 @@ impl ParticleToGrid<'_> {
     }
 }
 
-/// After the first mapping of a step: what lies beyond the walls folded back, and velocities from momenta.
-pub(super) fn fold(slab: &mut Slab<'_>, context: &StepContext<'_>) {
-    for field in &mut slab.fields {
-        field.planes.fold(context.walls_of(field.owner), true, true);
-        field.planes.velocities();
-    }
-}
-
 /// Nodes that one particle reaches by more than round-off, increasing, with their weights.
 pub struct NodeWeights {
     entries: [(usize, f64); Self::MOST],
@@ -268,7 +277,7 @@ pub fn node_weights(
 }
 
 /// Weights along one axis at the nodes of a stencil of three or four.
-pub(super) fn axis_weights_of(family: Family, stencil: usize, xi: f64, l: f64) -> [f64; 4] {
+fn axis_weights_of(family: Family, stencil: usize, xi: f64, l: f64) -> [f64; 4] {
     if stencil == 3 {
         let (_, [u, v, w], _) = axis_weights_at::<3>(family, xi, l);
         [u, v, w, 0.0]

@@ -2,7 +2,6 @@
 
 use super::fields::{Owner, Slab};
 use super::interactions::{SlabInteraction, SlabPart};
-use super::mapping::fold;
 use super::phase::{Phase, PhaseTimer};
 use super::water;
 use crate::grid::Line;
@@ -125,6 +124,14 @@ pub(super) fn sums_after(slab: &mut Slab<'_>, context: &StepContext<'_>, sums: &
     unfold(slab, context, true);
     sums.begin(slab.range().len());
     add_sums(slab, context, sums);
+}
+
+/// After the first mapping of a step: what lies beyond the walls folded back, and velocities from momenta.
+pub(super) fn fold(slab: &mut Slab<'_>, context: &StepContext<'_>) {
+    for field in &mut slab.fields {
+        field.planes.fold(context.walls_of(field.owner), true, true);
+        field.planes.velocities();
+    }
 }
 
 /// Fills the ghost nodes of all fields.

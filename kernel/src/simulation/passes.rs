@@ -3,12 +3,14 @@
 use super::Cycle;
 use super::conditions::load_on;
 use super::interactions::{Interaction, Interactions, SlabParts, in_turn, on_slabs};
-use super::mapping::{fold, particle_to_grid};
-use super::motion::{SlabInteractions, solve, solve_mapped, solve_remapped, sums_after, total};
+use super::mapping::particle_to_grid;
+use super::motion::{
+    SlabInteractions, fold, solve, solve_mapped, solve_remapped, sums_after, total,
+};
 use super::phase::{Phase, PhaseTimer};
 use crate::particles::ParticleSet;
 use crate::simulation::context::{NodalConditions, Remap, StepContext, VelocityMapping};
-use crate::simulation::fields::Grid;
+use crate::simulation::fields::{Grid, shares};
 use crate::simulation::values::{Groups, StepError, StepErrorKind};
 use crate::simulation::work_state::{G2pShare, SlabSolution, WorkState};
 use crate::stage::g2p::{self, G2p, ParticleMaxima, Task, dilation};
@@ -22,12 +24,6 @@ const SORT_AFTER: f64 = 0.45;
 /// Superfluous groups per particle after which a sort has paid: particles that left their cell break groups
 /// apart, and two such groups cost about as much as sorting one particle.
 const SORT_AFTER_GROUPS: f64 = 0.5;
-
-/// `count` particles in shares of about the same size, `most` at most.
-pub(super) fn shares(count: usize, most: usize) -> impl ExactSizeIterator<Item = Range<usize>> {
-    let shares = count.div_ceil(most.max(1)).max(1);
-    (0..shares).map(move |share| count * share / shares..count * (share + 1) / shares)
-}
 
 /// The parts of a simulation in a visit of the slabs.
 pub(super) struct VisitParts<'a> {

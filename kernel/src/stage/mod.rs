@@ -5,6 +5,7 @@
 pub mod g2p;
 pub mod p2g;
 pub mod solve;
+pub mod water;
 pub mod weigh;
 
 use crate::grid::{GHOSTS_BELOW, GridShape};

@@ -11,12 +11,14 @@ mod damped;
 mod extrapolated;
 mod nodes;
 mod remapped;
+mod sums;
 
 pub use nodes::{DashpotNode, DrivenNode, EmptyNode, NodeForce};
+pub use sums::PlaneSums;
 
 use crate::grid::{ActiveRows, GHOSTS_BELOW, GridShape, Line};
 use crate::stage::p2g::{join, join_with_hoop};
-use std::ops::{AddAssign, Range};
+use std::ops::Range;
 
 /// A boundary plane with a condition.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -77,40 +79,6 @@ pub struct Acceleration {
     pub local_damping: Option<f64>,
     /// Time over which velocities change \[s\].
     pub kick: f64,
-}
-
-/// Sums over one plane of nodes.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct PlaneSums {
-    /// Kinetic energy \[J\].
-    pub kinetic: f64,
-    /// Sum of squared unbalanced forces of free components \[N²\].
-    pub unbalanced_squared: f64,
-    /// Power of the nodal loads and of the moving planes \[W\].
-    pub power: f64,
-    /// What local and viscous damping took over the kick \[J\].
-    pub damping: f64,
-    /// What friction of contact took \[J\].
-    pub friction: f64,
-    /// What contact took along its normal, where bodies met \[J\].
-    pub impact: f64,
-    /// Energy that left through absorbing planes over the kick \[J\].
-    pub absorbed: f64,
-    /// What the drag between pore water and skeleton took over the kick \[J\].
-    pub drag: f64,
-}
-
-impl AddAssign<&Self> for PlaneSums {
-    fn add_assign(&mut self, other: &Self) {
-        self.kinetic += other.kinetic;
-        self.unbalanced_squared += other.unbalanced_squared;
-        self.power += other.power;
-        self.damping += other.damping;
-        self.friction += other.friction;
-        self.impact += other.impact;
-        self.absorbed += other.absorbed;
-        self.drag += other.drag;
-    }
 }
 
 impl Planes<'_> {

@@ -1,5 +1,6 @@
 //! From a scene to a simulation at time zero.
 
+mod domain;
 mod initial_stress;
 mod memory_budget;
 mod memory_estimate;
@@ -13,6 +14,7 @@ pub use start_state::{StartBody, StartState};
 
 use crate::plan::{PlanOptions, plan};
 use crate::values::Scene;
+use domain::start_domain;
 use proctor_geometry::bodies::{FillError, FilledBody, HalfLength, MemoryRoom, fill_within};
 use proctor_geometry::memory::Memory;
 use proctor_geometry::team::Team;
@@ -20,7 +22,7 @@ use proctor_kernel::grid::GridShape;
 use proctor_kernel::lanes::Selected;
 use proctor_kernel::laws::Particle;
 use proctor_kernel::layout::Layout;
-use proctor_kernel::model::{BoxLoad, DomainUpdate, Shape, Weighting};
+use proctor_kernel::model::{BoxLoad, Shape, Weighting};
 use proctor_kernel::particles::ParticleSet;
 use proctor_kernel::plan::Plan;
 use proctor_kernel::simulation::conditions;
@@ -422,51 +424,6 @@ fn start_from(
             set.columns[hoop][p] = state.deformation[2][2];
         }
     }
-}
-
-/// Deforms the domain of one particle where domains follow the deformation; returns its largest half-length in
-/// cells.
-fn start_domain(
-    set: &mut ParticleSet,
-    update: Option<DomainUpdate>,
-    f: &nalgebra::Matrix3<f64>,
-    p: usize,
-) -> f64 {
-    let axes = set.layout.axes;
-    let (Some(update), Some(first), Some(initial)) = (
-        update,
-        set.layout.half_length,
-        set.layout.initial_half_length,
-    ) else {
-        return 0.0;
-    };
-    let factor = match update {
-        DomainUpdate::Determinant => {
-            // In the plane the domain has no third side.
-            let ratio = if axes == 2 {
-                f.determinant() / f[(2, 2)]
-            } else {
-                f.determinant()
-            };
-            nalgebra::Vector3::repeat(libm::pow(ratio, 1.0 / axes as f64))
-        }
-        DomainUpdate::Stretch => root_diagonal(f.transpose() * f),
-        DomainUpdate::LeftStretch => root_diagonal(f * f.transpose()),
-    };
-    let mut widest = 0.0_f64;
-    for axis in 0..axes {
-        let l = factor[axis] * set.columns[initial + axis][p];
-        set.columns[first + axis][p] = l;
-        widest = widest.max(l);
-    }
-    widest
-}
-
-/// Diagonal of the square root of a symmetric matrix.
-fn root_diagonal(square: nalgebra::Matrix3<f64>) -> nalgebra::Vector3<f64> {
-    let mut square = square.symmetric_eigen();
-    square.eigenvalues.apply(|x| *x = x.sqrt());
-    square.recompose().diagonal()
 }
 
 /// Spreads a box load by volume over the particles in the box.

@@ -1,15 +1,15 @@
 //! Nodes to the pore water of particles: its velocity and the pressure.
 
 use super::nodes::flux;
-use super::point::PointNodes;
 use crate::grid::{GridShape, Line};
 use crate::layout::Layout;
 use crate::model::{POROSITIES, PoreWater};
 use crate::particles::ParticleSet;
 use crate::simulation::Cycle;
-use crate::simulation::passes::shares;
+use crate::simulation::fields::shares;
 use crate::simulation::values::{StepError, StepErrorKind};
 use crate::stage::Mapping;
+use crate::stage::water::PointNodes;
 
 /// A pass over the water of particles.
 #[derive(Clone, Copy, Debug)]

@@ -12,11 +12,8 @@
 //! node, as a correction of trial velocities: no conductivity bounds the step.
 
 mod gather;
-mod mapping;
 mod measure;
 mod nodes;
-mod point;
 
 pub(super) use gather::WaterTask;
-pub(super) use mapping::map;
 pub(super) use nodes::{drag, share_beyond, split};

@@ -7,11 +7,11 @@ use crate::stage::Mapping;
 use crate::weights::{axis_weights_at, base_node};
 
 /// The nodes of one particle: products of weights along the axes, which lie along slow, middle and fast direction.
-pub(super) struct PointNodes {
+pub struct PointNodes {
     /// Storage indices of the first.
-    pub(super) base: [usize; 3],
+    pub base: [usize; 3],
     /// Number per direction.
-    pub(super) count: [usize; 3],
+    pub count: [usize; 3],
     weights: [[f64; 4]; 3],
     /// Derivatives \[1/m\].
     derivatives: [[f64; 4]; 3],
@@ -22,7 +22,8 @@ pub(super) struct PointNodes {
 
 impl PointNodes {
     /// Those of particle `p` of some columns.
-    pub(super) fn of<C: AsRef<[f64]>>(
+    #[must_use]
+    pub fn of<C: AsRef<[f64]>>(
         columns: &[C],
         mapping: &Mapping,
         (shape, stencil): (&GridShape, usize),
@@ -60,7 +61,8 @@ impl PointNodes {
     }
 
     /// Weight of a node, by its place in the stencil, and its gradient \[1/m\].
-    pub(super) fn at(&self, [i, j, k]: [usize; 3]) -> (f64, Vector) {
+    #[must_use]
+    pub fn at(&self, [i, j, k]: [usize; 3]) -> (f64, Vector) {
         let w = [self.weights[0][i], self.weights[1][j], self.weights[2][k]];
         let g = [
             self.derivatives[0][i],
