@@ -74,7 +74,6 @@ fn words_from_elsewhere_are_answered() {
         ("extrude_direction", "body.axis", "\"extruded_polygon\""),
         ("polygon_2d", "body.type", "\"extruded_polygon\""),
         ("particles_from_file", "body.type", "`file`"),
-        ("boundary_conditions_fluid", "n_phases", "not covered"),
         ("youngs_modulus", "material.young", "`young`"),
     ] {
         let output = proctor(&["keys", word]);

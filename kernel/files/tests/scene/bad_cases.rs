@@ -298,9 +298,9 @@ pub(crate) const CASES: &[(&str, &str, &str)] = &[
         r#""time": 1.0, "terrain_contact": {"active": true, "stl_mesh": "../surfaces/slope.stl", "fricton": 0.1}"#,
     ),
     (
-        "two phases",
+        "three phases",
         r#""time": 1.0"#,
-        r#""time": 1.0, "n_phases": 2"#,
+        r#""time": 1.0, "n_phases": 3"#,
     ),
     (
         "no threads",
