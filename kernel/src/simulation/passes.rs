@@ -16,7 +16,6 @@ use crate::simulation::work_state::{G2pShare, SlabSolution, WorkState};
 use crate::stage::g2p::{self, G2p, ParticleMaxima, Task, dilation};
 use crate::stage::p2g::Carry;
 use crate::stage::solve::EmptyNode;
-use std::ops::Range;
 use std::sync::atomic::{self, AtomicUsize};
 
 /// Travel in cells after which particles are sorted again whatever it costs. Rows and slabs allow for one cell.

@@ -33,7 +33,7 @@ impl Build<'_> {
             );
             return;
         }
-        for (key, entries) in given {
+        if let Some((key, entries)) = given {
             for (i, (name, raw)) in entries.0.iter().enumerate() {
                 let path = entry_path(key, i, name.as_deref());
                 let water = self.water_of(&path, raw);
