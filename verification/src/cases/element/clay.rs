@@ -5,7 +5,7 @@ use crate::exact::cam_clay::CamClayExact;
 use proctor_laws::CamClay;
 
 /// Stress across and along the axis of the clay at rest under that pressure, by the roots of exact/cam_clay.rs \[Pa\].
-pub(super) const AT_REST: [f64; 2] = [0.8437558084743845, 1.312488383051231];
+pub(super) const AT_REST: [f64; 2] = [0.843_755_808_474_384_5, 1.312_488_383_051_231];
 
 /// The clay that is sheared and pressed, stiffer by a factor in swelling, under the pressure at the start.
 fn exact(stiffer: f64) -> CamClayExact {
