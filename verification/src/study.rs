@@ -180,3 +180,9 @@ pub fn all() -> Vec<Study> {
     let studies = case::all().iter().filter_map(|case| case.studied().ok());
     studies.flatten().collect()
 }
+
+/// All studies, and with them the paths of cases that other solvers run and no study does.
+#[must_use]
+pub fn open() -> Vec<Study> {
+    case::all().iter().flat_map(|case| case.open()).collect()
+}

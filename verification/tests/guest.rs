@@ -9,7 +9,7 @@ use proctor_verification::guest::{Compared, Guest, Norm, Snapshot};
 use proctor_verification::study::{self, Study};
 
 fn guest(case: &str) -> (Guest, Rung) {
-    let study = study::all().into_iter().find(|study| study.name() == case);
+    let study = study::open().into_iter().find(|study| study.name() == case);
     let study = study.unwrap_or_else(|| panic!("no study {case}"));
     let rung = study.path(Size::Quick)[0].clone();
     let guest = study
@@ -62,19 +62,19 @@ fn frames(guest: &Guest) -> Vec<Snapshot> {
 
 #[test]
 fn every_study_hands_over_a_scene_that_can_be_written_or_says_why_not() {
-    let mut count = 0;
-    for study in study::all() {
+    let mut open = std::collections::BTreeSet::new();
+    for study in study::open() {
         for rung in study.path(Size::Quick) {
             match study.guest(&rung) {
                 Err(reason) => assert!(reason.len() > 20, "{}: {reason}", study.name()),
                 Ok(guest) => {
-                    count += 1;
+                    open.insert(study.name());
                     check(study, &guest);
                 }
             }
         }
     }
-    assert!(count >= 12, "only {count} scenes");
+    assert!(open.len() >= 15, "{open:?}");
 }
 
 fn check(study: Study, guest: &Guest) {
@@ -113,6 +113,12 @@ fn this_kernel_comes_near_the_exact_solutions() {
         ("staggered-start", 0.02),
         ("colliding-blocks", 0.1),
         ("inclined-two-blocks", 0.01),
+        // Phases are late by some tenths of a radian after ten periods, and velocities lack the square of half of that.
+        ("bar-energy", 0.1),
+        // Two per cent at four times as many cells, and order 1.
+        ("plastic-wave", 0.15),
+        // FLIP on four cells keeps some of the spin; a solver that loses all of it is at 1.
+        ("angular-momentum", 0.7),
     ] {
         let (guest, rung) = guest(case);
         let error = guest

@@ -108,6 +108,10 @@ fn gather(path: &Path, files: &mut Vec<PathBuf>) {
 /// # Errors
 /// [`HistoryError`] if git cannot tell, or if no commit has a record there.
 pub fn of_git(path: &Path) -> Result<History, HistoryError> {
+    if path.is_dir() {
+        let reason = format!("found the folder {}; accepted: a record", path.display());
+        return Err(HistoryError::Git(reason));
+    }
     let folder = path
         .parent()
         .filter(|folder| !folder.as_os_str().is_empty());

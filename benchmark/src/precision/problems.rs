@@ -14,6 +14,7 @@ use std::sync::atomic::AtomicBool;
 /// Velocities of frames are those at the time of their particles.
 const CALIBRATED: Calibration = Calibration {
     velocity_ahead: Some(0.0),
+    fall_ahead: 0.0,
 };
 
 /// Writes each run of the short study of each open case into a folder `CASE/RUN`: the scene, the exact values as CSV, and a
@@ -25,7 +26,7 @@ pub fn write(folder: &Path, stop: &AtomicBool) -> Result<Vec<PathBuf>, String> {
     let own = own().ok_or("this program does not know its own file")?;
     let desk = tempfile::TempDir::new().map_err(|error| error.to_string())?;
     let mut folders = vec![];
-    for study in study::all() {
+    for study in study::open() {
         for rung in study.path(Size::Quick) {
             let Ok(guest) = study.guest(&rung) else {
                 continue;

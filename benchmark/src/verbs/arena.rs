@@ -140,11 +140,11 @@ impl Arena {
 
     /// The open cases of the request.
     fn problems(&self) -> Result<Vec<arena::Problem>, Failure> {
-        let studies = names::studies(&self.cases)?;
+        let studies = names::open(&self.cases)?;
         let (open, closed) = arena::open(studies);
         match closed.first().filter(|_| !self.cases.is_empty()) {
             Some((name, reason)) => {
-                let names: Vec<&str> = arena::open(study::all())
+                let names: Vec<&str> = arena::open(study::open())
                     .0
                     .iter()
                     .map(proctor_verification::study::Study::name)

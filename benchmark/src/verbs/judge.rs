@@ -49,7 +49,7 @@ fn share(text: &str) -> Result<f64, Failure> {
 impl Judge {
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
         let chosen = std::slice::from_ref(&self.case);
-        let studies = names::chosen(chosen, &study::all(), "case", |study| study.name())?;
+        let studies = names::chosen(chosen, &study::open(), "case", |study| study.name())?;
         let [study] = studies.as_slice() else {
             return Err(Failure::BadInput("found no case; accepted: one".to_owned()));
         };

@@ -44,6 +44,15 @@ pub fn studies(names: &[String]) -> Result<Vec<Study>, Failure> {
     chosen(names, &study::all(), "case", |study| study.name())
 }
 
+/// Open problems of those names, or why a case has none; all where none is named.
+pub fn open(names: &[String]) -> Result<Vec<Study>, Failure> {
+    let is_open = |name: &String| study::open().iter().any(|study| study.name() == name);
+    for name in names.iter().filter(|name| !is_open(name)) {
+        studies(std::slice::from_ref(name))?;
+    }
+    chosen(names, &study::open(), "case", |study| study.name())
+}
+
 /// What to say to a name that nothing has: the nearest known one, then all.
 fn unknown(kind: &str, name: &str, known: &[&str]) -> String {
     let likeness = |known: &str| strsim::normalized_damerau_levenshtein(name, known);

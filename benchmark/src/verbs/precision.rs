@@ -79,11 +79,11 @@ pub struct Precision {
 
 impl Precision {
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
-        let studies = names::studies(&self.cases)?;
         if self.guests {
-            show::guests::list(&studies, out)?;
+            show::guests::list(&names::open(&self.cases)?, out)?;
             return Ok(Outcome::Fine);
         }
+        let studies = names::studies(&self.cases)?;
         let bounds = self.bounds()?;
         let mut options = self.settings.options()?;
         // Small runs gain nothing from threads, and their times would say more about waiting than about work.

@@ -75,6 +75,12 @@ fn a_cycle_that_kicks_before_it_moves_is_no_other_gravity() {
     let mut u = exact(END);
     u[2] = -0.5 * 9.81 * END * (END + STEP);
     assert!(found(&frame(u, 1.0), Some(END), TimeLabel::Frame).is_empty());
+    // It is named, since it costs an order.
+    let hint = |u: [f64; 3]| {
+        judge(&frame(u, 1.0), Some(END), TimeLabel::Frame, 3).map(|sound| sound.hint())
+    };
+    assert!(matches!(hint(u), Ok(Some(words)) if words.contains("first order in time")));
+    assert!(matches!(hint(exact(END)), Ok(None)));
     u[2] *= 1.1;
     let findings = found(&frame(u, 1.0), Some(END), TimeLabel::Frame);
     assert!(

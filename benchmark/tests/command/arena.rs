@@ -189,8 +189,8 @@ fn bad_input_of_an_arena_is_told_before_anything_runs() {
         (plain.clone(), "step-barr", "did you mean `step-bar`?"),
         (
             plain.clone(),
-            "plastic-wave",
-            "plastic-wave: there is no study of it: it asks the laws",
+            "yielding-column",
+            "yielding-column: there is no study of it: its answer depends on the way",
         ),
         (plain.clone(), "hertz", "hertz: not for other solvers: "),
         (json!({}), "step-bar", "executables: found none"),

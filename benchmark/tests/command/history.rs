@@ -176,6 +176,14 @@ fn git_has_a_record_per_commit_that_changed_it_and_what_is_none_is_left_out() {
         assert!(text.contains(words), "{words} is not in {text}");
     }
     assert!(!text.contains("nothing of the record"), "{text}");
+    // A folder has no history of its own.
+    let output = proctor(&["history", "--git", &folder.display().to_string()]);
+    assert_eq!(code(&output), 2);
+    assert!(
+        stderr(&output).contains("accepted: a record"),
+        "{}",
+        stderr(&output)
+    );
     // The same on a page.
     let out = desk.name("page.html");
     let output = proctor(&["report", &kept, "--history-of", &kept, "--out", &out]);

@@ -260,6 +260,14 @@ impl Case {
         Ok(plans.map(|plan| Study { case: self, plan }).collect())
     }
 
+    /// The paths of its problems for other solvers: those of its studies, or one of its own.
+    #[must_use]
+    pub fn open(&'static self) -> Vec<Study> {
+        let own = |plan| vec![Study { case: self, plan }];
+        self.studied()
+            .unwrap_or_else(|_| self.guest_path.map_or(vec![], own))
+    }
+
     /// The problem of a rung as other solvers can run it.
     ///
     /// # Errors

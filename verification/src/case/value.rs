@@ -112,6 +112,7 @@ pub struct Case {
     pub(super) refer: Option<fn(&Rung, Reference, &mut Solved)>,
     pub(super) reference: Reference,
     pub(super) studies: Result<&'static [Plan], &'static str>,
+    pub(super) guest_path: Option<&'static Plan>,
     pub(super) guest: Result<GuestOf, &'static str>,
 }
 
@@ -138,6 +139,7 @@ impl Case {
             refer: None,
             reference: Reference::CORRECT,
             studies: Err("the case names no path of refinement"),
+            guest_path: None,
             guest: Err("the case says nothing of other solvers"),
         }
     }
@@ -312,6 +314,13 @@ impl Case {
     #[must_use]
     pub const fn guest(mut self, guest: GuestOf) -> Self {
         self.guest = Ok(guest);
+        self
+    }
+
+    /// The path along which other solvers run it, where nothing of it is studied with other settings.
+    #[must_use]
+    pub const fn guests_along(mut self, path: &'static Plan) -> Self {
+        self.guest_path = Some(path);
         self
     }
 

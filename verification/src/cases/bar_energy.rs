@@ -60,7 +60,25 @@ pub static BAR_ENERGY: Case = Case::new(
 .run(compare)
 .judge_by(judge)
 .wrong_references(&[WRONG_ENERGY])
-.no_study("the case itself runs every scheme, transfer and weighting function");
+.no_study("the case itself runs every scheme, transfer and weighting function")
+.guests_along(&Plan::new(
+    Ladder::variants(&["small"], " ", "L/h", LENGTH, [&[8, 16, 32], &[8, 16, 32, 64]]),
+    &[Measure::new("velocity", "L2(v)")],
+    1,
+))
+.guest(|rung| Ok(still_swinging(rung)));
+
+/// Velocities after ten periods, all of the energy: a swing that is late by a little is as fast there, one that has lost energy
+/// is not.
+fn still_swinging(rung: &Rung) -> Guest {
+    let exact = exact(rung);
+    let moving = move |x: &Vector, t| [exact.velocity(x[0], t), 0.0, 0.0];
+    let start = move |x: &Vector| moving(x, 0.0);
+    Guest {
+        compared: Compared::Velocity,
+        ..guest::start::moving(rung, scene, 1, exact.wave_speed(), start, moving)
+    }
+}
 
 /// Each rung with its method.
 fn rungs(size: Size) -> Vec<Rung> {

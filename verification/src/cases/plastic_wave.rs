@@ -14,7 +14,7 @@
 //! and is off by 1.9 to 2.1 % at 100 cells where APIC is off by 1.2 to 1.3 %, both of order 1. `proctor verify plastic-wave`.
 
 use super::prelude::*;
-use super::vocabulary::yielding::{LAWS, Yielding};
+use super::vocabulary::yielding::{LAWS, MOHR_COULOMB, Yielding};
 use crate::exact::plastic_wave::PlasticWave as Exact;
 
 const LENGTH: f64 = 1.0; // Length [m]
@@ -68,7 +68,57 @@ pub static PLASTIC_WAVE: Case = Case::new(
     &[STRESS, PLASTIC, MOMENTUM, WORK],
 )])
 .wrong_references(&[WRONG_STRENGTH, WRONG_LOAD])
-.no_study("it asks the laws: what a wave costs is studied in base-acceleration and step-bar");
+.no_study("it asks the laws: what a wave costs is studied in base-acceleration and step-bar")
+.guests_along(&Plan::new(
+    Ladder::variants(
+        &[MOHR_COULOMB],
+        " ",
+        "L/h",
+        LENGTH,
+        [&[25, 50, 100], &[25, 50, 100, 200]],
+    ),
+    &[Measure::new("velocity", "L2(v)")],
+    1,
+))
+.guest(|rung| Ok(shaken(rung)));
+
+/// The strip stands on a base that moves as the exact wave does there: other solvers know a moving base as the lower plane.
+fn shaken(rung: &Rung) -> Guest {
+    let (h, exact) = (rung.cell, exact(Reference::CORRECT, rung));
+    let mut mesh = Mesh::new(
+        Dimension::Three,
+        [0.0; 3],
+        [h; 3],
+        [1, 1, cells(LENGTH, h) + AIR],
+    );
+    mesh.planes[2][1] = PlaneCondition::Free;
+    let end = COMPARED * LENGTH / exact.elastic_speed();
+    let interval = RISE / f64::from(INTERVALS);
+    let times: Vec<f64> = (0..=INTERVALS + 1)
+        .map(|i| interval * f64::from(i))
+        .collect();
+    // Rows are joined by lines, whose integral is the velocity at each row but for kinks.
+    let rate = |t: f64| {
+        let [before, after] = [t - 0.5 * interval, t + 0.5 * interval];
+        (exact.velocity(0.0, after) - exact.velocity(0.0, before)) / interval
+    };
+    let values = times.iter().map(|&t| [0.0, 0.0, rate(t)]).collect();
+    let mut scene = bare_scene("plastic_wave", Dimension::Three, mesh, end);
+    scene.materials = material(rung.variant, DENSITY, solid(rung).law());
+    scene.bodies = vec![body("strip", 1, cuboid([0.0; 3], [h, h, LENGTH]))];
+    scene.base_motion = Some(BaseMotion {
+        axis: 2,
+        side: 0,
+        motion: Motion::Acceleration(History { times, values }),
+    });
+    guest::settings().apply(&mut scene);
+    let step = guest::COURANT * h / exact.elastic_speed();
+    let moving = move |x: &Vector, t| [0.0, 0.0, exact.velocity(x[2], t)];
+    Guest {
+        compared: Compared::Velocity,
+        ..Guest::new(guest::prepared(scene, 1, step), moving).at_the_end()
+    }
+}
 
 fn solid(rung: &Rung) -> Yielding {
     Yielding {

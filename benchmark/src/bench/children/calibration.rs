@@ -35,6 +35,18 @@ pub struct Calibration {
     /// Steps by which the velocities in a frame are ahead of its particles, where it has velocities: half a step behind
     /// with a leapfrog that starts by half a kick.
     pub velocity_ahead: Option<f64>,
+    /// Steps by which the fall is ahead of that of a leapfrog: one where the first kick is whole.
+    pub fall_ahead: f64,
+}
+
+impl Calibration {
+    /// A hint for a solver whose first kick is a whole one, which leaves it of first order in time.
+    #[must_use]
+    pub fn hint(&self) -> Option<&'static str> {
+        (0.75..1.25).contains(&self.fall_ahead).then_some(
+            "its first step kicks by a whole step where half of one is due: it is of first order in time",
+        )
+    }
 }
 
 /// Why a solver is not to be trusted.
@@ -77,7 +89,7 @@ pub fn scene(axes: usize) -> Value {
         "time_step": STEP,
         "particles_per_cell": PER_CELL,
         "gravity": gravity,
-        "results": { "print": 4, "fields": ["id", "displacement", "velocity"] },
+        "results": { "print": 4, "material_point_results": ["id", "displacement", "velocity"] },
         "mesh": {
             "cells_dimension": vec![CELL; axes],
             "cells_number": vec![CELLS + 2 * AIR; axes],
@@ -154,5 +166,11 @@ pub fn judge(
         let mean = v.iter().map(|v| v[axes - 1]).sum::<f64>() / v.len() as f64;
         (-mean / GRAVITY - time) / STEP
     });
-    Ok(Calibration { velocity_ahead })
+    let fallen = -u.iter().map(|u| u[axes - 1]).sum::<f64>() / u.len() as f64;
+    let due = 0.5 * GRAVITY * time * time;
+    let fall_ahead = (fallen / due - 1.0) * time / STEP;
+    Ok(Calibration {
+        velocity_ahead,
+        fall_ahead,
+    })
 }

@@ -20,6 +20,7 @@ pub(crate) fn written(mut scene: Value, values: &Scene) -> Value {
         scene["results"]["print"] = 1.into();
     }
     name_planes(&mut scene, values.dimension.axes());
+    manual_words(&mut scene);
     if let Some(dt) = constant_step(values) {
         scene["time_step"] = dt.into();
         if let Some(keys) = scene.as_object_mut() {
@@ -29,6 +30,18 @@ pub(crate) fn written(mut scene: Value, values: &Scene) -> Value {
     }
     shorten(&mut scene);
     scene
+}
+
+/// Words that the manuals' program knows, where this program reads two for one thing.
+fn manual_words(scene: &mut Value) {
+    if scene["shape_function"] == "uGIMP" {
+        scene["shape_function"] = "GIMP".into();
+    }
+    if let Some(results) = scene["results"].as_object_mut()
+        && let Some(fields) = results.remove("fields")
+    {
+        results.insert("material_point_results".to_owned(), fields);
+    }
 }
 
 /// A plane that is not named slides in the manuals; some programs refuse it.
@@ -88,7 +101,7 @@ fn shorten(value: &mut Value) {
 
 #[cfg(test)]
 mod tests {
-    use super::shorten;
+    use super::{manual_words, shorten};
     use serde_json::json;
 
     #[test]
@@ -100,5 +113,16 @@ mod tests {
             "a": [0.3, 7, -0.333_333_333_333_333], "b": { "c": 3e-8 }, "d": "0.1"
         });
         assert_eq!(value, wanted);
+    }
+
+    #[test]
+    fn scenes_speak_as_the_manuals_do() {
+        let mut scene =
+            json!({ "shape_function": "uGIMP", "results": { "print": 2, "fields": ["id"] } });
+        manual_words(&mut scene);
+        let wanted = json!({
+            "shape_function": "GIMP", "results": { "print": 2, "material_point_results": ["id"] }
+        });
+        assert_eq!(scene, wanted);
     }
 }

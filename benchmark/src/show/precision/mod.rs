@@ -49,7 +49,12 @@ pub fn calibrations(peers: &[Peer], out: &mut dyn Write) -> io::Result<()> {
     for peer in peers {
         let name = &peer.executable.name;
         match &peer.calibration {
-            Ok(_) => writeln!(out, "{name}: calibrated by a free fall")?,
+            Ok(calibration) => {
+                writeln!(out, "{name}: calibrated by a free fall")?;
+                if let Some(hint) = calibration.hint() {
+                    writeln!(out, "  note  {name}: {hint}")?;
+                }
+            }
             Err(fault) => writeln!(out, "FAIL  {name}: {fault}")?,
         }
     }
