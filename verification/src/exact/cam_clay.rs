@@ -37,7 +37,7 @@ impl CamClayExact {
     pub fn undrained_pressure(&self, eta: f64, eta_0: f64) -> f64 {
         let square = self.critical_ratio.powi(2);
         let ratio = (square + eta_0 * eta_0) / (square + eta * eta);
-        self.pressure * ratio.powf(self.plastic_share())
+        self.pressure * libm::pow(ratio, self.plastic_share())
     }
 
     /// Deviator strain on the undrained path between two stress ratios: `kappa s (2/M) [artanh - arctan](x/M)` is
@@ -47,8 +47,8 @@ impl CamClayExact {
     pub fn undrained_strain(&self, eta: f64, eta_0: f64) -> f64 {
         let (m, s) = (self.critical_ratio, self.plastic_share());
         let to = |x: f64| {
-            let (y, arc) = (x / m, (x / m).atan());
-            let plastic = self.swelling * s * 2.0 / m * (y.atanh() - arc);
+            let (y, arc) = (x / m, libm::atan(x / m));
+            let plastic = self.swelling * s * 2.0 / m * (libm::atanh(y) - arc);
             let elastic = x * (1.0 - 2.0 * s) + 2.0 * s * m * arc;
             plastic + self.swelling / (3.0 * self.proportion()) * elastic
         };
@@ -64,8 +64,8 @@ impl CamClayExact {
     /// Volume strain on the drained path.
     #[must_use]
     pub fn drained_volume_strain(&self, eta: f64) -> f64 {
-        let risen = (self.drained_pressure(eta) / self.pressure).ln();
-        let hardened = risen + (eta / self.critical_ratio).powi(2).ln_1p();
+        let risen = libm::log(self.drained_pressure(eta) / self.pressure);
+        let hardened = risen + libm::log1p((eta / self.critical_ratio).powi(2));
         self.swelling * risen + (self.compression - self.swelling) * hardened
     }
 
@@ -74,13 +74,13 @@ impl CamClayExact {
     pub fn drained_strain(&self, eta: f64) -> f64 {
         let m = self.critical_ratio;
         let integral = |x: f64| {
-            -(m - x).ln() / (3.0 - m) - (m + x).ln() / (3.0 + m)
-                + 6.0 / (9.0 - m * m) * (3.0 - x).ln()
+            -libm::log(m - x) / (3.0 - m) - libm::log(m + x) / (3.0 + m)
+                + 6.0 / (9.0 - m * m) * libm::log(3.0 - x)
         };
         let y = eta / m;
-        let bent = 2.0 / m * (y.atanh() - y.atan());
+        let bent = 2.0 / m * (libm::atanh(y) - libm::atan(y));
         let plastic = integral(eta) - integral(0.0) + bent;
-        let risen = (self.drained_pressure(eta) / self.pressure).ln();
+        let risen = libm::log(self.drained_pressure(eta) / self.pressure);
         (self.compression - self.swelling) * plastic + self.swelling / self.proportion() * risen
     }
 

@@ -33,7 +33,7 @@ pub struct Layer {
 /// Average degree of consolidation at a time factor `T_v = c_v t/H²`.
 #[must_use]
 pub fn degree(time_factor: f64) -> f64 {
-    let left = series(|m| 2.0 / (m * m) * (-m * m * time_factor).exp());
+    let left = series(|m| 2.0 / (m * m) * libm::exp(-m * m * time_factor));
     1.0 - left
 }
 
@@ -55,7 +55,7 @@ impl Layer {
     #[must_use]
     pub fn pressure(&self, z: f64, t: f64, ramp: f64) -> f64 {
         let depth = 1.0 - z / self.height;
-        let all = |m: f64| 2.0 / m * (m * depth).sin() * self.amplitude(m, t, ramp);
+        let all = |m: f64| 2.0 / m * libm::sin(m * depth) * self.amplitude(m, t, ramp);
         self.undrained_pressure() * series(all)
     }
 
@@ -71,12 +71,12 @@ impl Layer {
     fn amplitude(&self, m: f64, t: f64, ramp: f64) -> f64 {
         let rate = m * m * self.consolidation() / (self.height * self.height);
         if ramp == 0.0 {
-            return (-rate * t).exp();
+            return libm::exp(-rate * t);
         }
         let since = (t - ramp).max(0.0);
         let on = t.min(ramp);
         // (e^(-L since) - e^(-L t))/(L t_r), which is on/t_r where L is small.
-        -(-rate * since).exp() * (-rate * on).exp_m1() / (rate * ramp)
+        -libm::exp(-rate * since) * libm::expm1(-rate * on) / (rate * ramp)
     }
 
     /// Pressure of the water at large strain, Pa, at the height z at the start (m), of a load that came on at once.
@@ -84,17 +84,17 @@ impl Layer {
     pub fn large_pressure(&self, z: f64, t: f64) -> f64 {
         let factor = self.large_time_factor(t);
         let depth = 1.0 - z / self.height;
-        let left = series(|m| 2.0 / m * (m * depth).sin() * (-m * m * factor).exp());
+        let left = series(|m| 2.0 / m * libm::sin(m * depth) * libm::exp(-m * m * factor));
         // u = Q - sigma' with sigma' = -E_c ln J and J = e^(-Q/E_c) + (1 - e^(-Q/E_c)) left.
         let strain = self.load / self.confined_modulus;
-        self.confined_modulus * (strain.exp_m1() * left).ln_1p()
+        self.confined_modulus * libm::log1p(libm::expm1(strain) * left)
     }
 
     /// Displacement of the top at large strain, m.
     #[must_use]
     pub fn large_settlement(&self, t: f64) -> f64 {
         let strain = self.load / self.confined_modulus;
-        self.height * (-strain).exp_m1() * degree(self.large_time_factor(t))
+        self.height * libm::expm1(-strain) * degree(self.large_time_factor(t))
     }
 
     /// `c_v t/H²` of the layer at the start, with water that keeps its volume.

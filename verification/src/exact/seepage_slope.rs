@@ -26,37 +26,37 @@ impl SeepageSlope {
     /// Pressure of the water, Pa, compression positive, at the depth d (m) across the slope.
     #[must_use]
     pub fn pressure(&self, d: f64) -> f64 {
-        self.density_water * self.gravity * d * self.angle.cos()
+        self.density_water * self.gravity * d * libm::cos(self.angle)
     }
 
     /// Effective stress across the slope, Pa, tension positive.
     #[must_use]
     pub fn effective_stress(&self, d: f64) -> f64 {
-        -(self.density - self.density_water) * self.gravity * d * self.angle.cos()
+        -(self.density - self.density_water) * self.gravity * d * libm::cos(self.angle)
     }
 
     /// Size of the shear stress along the slope, Pa.
     #[must_use]
     pub fn shear_stress(&self, d: f64) -> f64 {
-        self.density * self.gravity * d * self.angle.sin()
+        self.density * self.gravity * d * libm::sin(self.angle)
     }
 
     /// Flux of water relative to the skeleton down the slope, m/s, of a conductivity k (m/s).
     #[must_use]
     pub fn flux(&self, conductivity: f64) -> f64 {
-        conductivity * self.angle.sin()
+        conductivity * libm::sin(self.angle)
     }
 
     /// Displacement of an elastic skeleton down the slope, m, at the depth d, of a shear modulus (Pa).
     #[must_use]
     pub fn displacement(&self, d: f64, shear: f64) -> f64 {
-        let weight = self.density * self.gravity * self.angle.sin();
+        let weight = self.density * self.gravity * libm::sin(self.angle);
         weight * (self.depth * self.depth - d * d) / (2.0 * shear)
     }
 
     /// Strength over shear stress at the depth d, of an effective cohesion (Pa) and friction (rad).
     #[must_use]
     pub fn safety(&self, d: f64, cohesion: f64, friction: f64) -> f64 {
-        (cohesion - self.effective_stress(d) * friction.tan()) / self.shear_stress(d)
+        (cohesion - self.effective_stress(d) * libm::tan(friction)) / self.shear_stress(d)
     }
 }

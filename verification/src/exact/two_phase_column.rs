@@ -148,21 +148,21 @@ impl TwoPhaseState {
     pub fn displacement(&self, z: f64) -> f64 {
         let column = &self.column;
         let at_rest = -self.share * column.load * z / column.confined_modulus;
-        at_rest + self.sum(|k, u| u[0] * (k * z).sin())
+        at_rest + self.sum(|k, u| u[0] * libm::sin(k * z))
     }
 
     /// Pressure of the water, Pa, compression positive.
     #[must_use]
     pub fn pressure(&self, z: f64) -> f64 {
         let (n, water) = (self.column.porosity, self.column.bulk_water);
-        -water / n * self.sum(|k, u| ((1.0 - n) * u[0] + n * u[1]) * k * (k * z).cos())
+        -water / n * self.sum(|k, u| ((1.0 - n) * u[0] + n * u[1]) * k * libm::cos(k * z))
     }
 
     /// Effective vertical stress, Pa, tension positive.
     #[must_use]
     pub fn effective_stress(&self, z: f64) -> f64 {
         let column = &self.column;
-        let rest = self.sum(|k, u| u[0] * k * (k * z).cos());
+        let rest = self.sum(|k, u| u[0] * k * libm::cos(k * z));
         column.confined_modulus * rest - self.share * column.load
     }
 
@@ -192,8 +192,8 @@ fn product<const N: usize>(a: &Square<N>, b: &Square<N>) -> Square<N> {
 fn exponential<const N: usize>(a: &Square<N>) -> Square<N> {
     let size = a.iter().map(|row| row.iter().map(|x| x.abs()).sum());
     let size: f64 = size.fold(0.0, f64::max);
-    let halvings = (size / 0.25).log2().ceil().max(0.0);
-    let small = scaled(a, (-halvings).exp2());
+    let halvings = libm::log2(size / 0.25).ceil().max(0.0);
+    let small = scaled(a, libm::exp2(-halvings));
     let (mut term, mut all) = (small, small);
     for order in 2..=14 {
         term = scaled(&product(&term, &small), 1.0 / f64::from(order));
