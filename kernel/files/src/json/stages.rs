@@ -142,6 +142,9 @@ fn stage(
     }
     let mut merged = Value::Object(base.clone());
     merge(&mut merged, &Value::Object(own.clone()));
+    if let Some(before) = before {
+        leave_out_starts(&mut merged, before);
+    }
     let own = Value::Object(own);
     let stem = source.name().to_owned();
     let (mut scene, mut spellings) =
@@ -164,7 +167,7 @@ fn stage(
             keeps_velocity,
         });
         for body in &mut scene.bodies {
-            // What it began with is in the state by now.
+            // Those of a divided body have no key of their own.
             if before.scene.bodies.iter().any(|old| old.id == body.id) {
                 body.initial_stress = InitialStress::None;
             }
@@ -183,6 +186,27 @@ fn stage(
         scene,
         places,
     })
+}
+
+/// Takes the stress with which bodies of the stage before began out of a scene: it is in the state by now, and need not go with what
+/// the stage changes, such as gravity.
+fn leave_out_starts(scene: &mut Value, before: &Stage) {
+    let is_old = |body: &Value| {
+        let id = body.get("id").and_then(Value::as_i64);
+        id.is_some_and(|id| before.scene.bodies.iter().any(|old| old.id == id))
+    };
+    for key in ["body", "bodies"] {
+        let bodies: Vec<&mut Value> = match scene.get_mut(key) {
+            Some(Value::Array(bodies)) => bodies.iter_mut().collect(),
+            Some(Value::Object(bodies)) => bodies.values_mut().collect(),
+            _ => continue,
+        };
+        for body in bodies.into_iter().filter(|body| is_old(body)) {
+            if let Some(body) = body.as_object_mut() {
+                body.remove("initial_stress");
+            }
+        }
+    }
 }
 
 fn is_name(name: &str) -> bool {

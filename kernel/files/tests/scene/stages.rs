@@ -61,6 +61,21 @@ fn a_stage_changes_what_it_names() {
     assert_eq!(shake.scene.name, "scene, shake");
 }
 
+/// Ground at rest is asked for gravity along one axis in the stage that begins with it, not in those that tilt gravity later.
+#[test]
+fn gravity_of_a_later_stage_may_have_any_direction() {
+    let stages = read(r#"[{"name": "rest", "time": 0.1}, {"name": "slide", "gravity": [5, -10]}]"#)
+        .expect("sound");
+    assert_eq!(stages[1].scene.gravity, [5.0, -10.0, 0.0]);
+    assert_eq!(
+        stages[1].scene.bodies[0].initial_stress,
+        InitialStress::None
+    );
+    let error =
+        read(r#"[{"name": "slide", "gravity": [5, -10]}]"#).expect_err("tilted at the start");
+    assert!(error.contains("gravity along one axis"), "{error}");
+}
+
 #[test]
 fn a_scene_without_stages_is_one() {
     let text = text("[]").replace(",\n    \"stages\": []", "");
