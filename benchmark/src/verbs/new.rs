@@ -180,6 +180,22 @@ const TEMPLATES: &[Template] = &[
         ],
     },
     Template {
+        name: "consolidation",
+        what: "a layer of saturated soil is loaded and drains at its top: two phases",
+        text: include_str!("../../templates/consolidation.json"),
+        beside: None,
+        stage: "",
+        field: "Pore Pressure",
+        change: &[
+            (
+                "hydraulic_conductivity",
+                "a tenth of it, and ten times the `time`: the same settlement",
+            ),
+            ("plane_Yn", "\"sliding\" for the water: nothing drains"),
+            ("bulk_fluid", "2e9, that of water: smaller steps"),
+        ],
+    },
+    Template {
         name: "beam",
         what: "a soft beam, fixed at one end, bends under its own weight: large strains",
         text: include_str!("../../templates/beam.json"),
