@@ -143,6 +143,7 @@ fn what_cannot_be_refined_or_go_on_is_named() {
         stderr(&output)
     );
     // A state of one mesh is none of another.
+    assert_eq!(code(&desk.run(&path, "out", &[])), 0);
     let mut one = staged();
     let object = one.as_object_mut().expect("an object");
     object.remove("stages");

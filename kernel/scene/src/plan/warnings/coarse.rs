@@ -34,7 +34,7 @@ pub(super) fn collide_on_few_cells(scene: &Scene) -> Vec<String> {
             format!(
                 "{}: it is {across:.3} cells across and collides: discs eight cells across bounced back with 5 to 17 % less of \
                  their speed than on fine meshes, depending on their place in the mesh, those of sixteen with 2 to 7 % less; \
-                 \"proctor refine\" says what is lost in this scene",
+                 `proctor refine` says what is lost in this scene",
                 name(body)
             )
         })
