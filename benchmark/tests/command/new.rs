@@ -77,7 +77,7 @@ fn each_is_written_planned_and_run_without_a_warning() {
         let field = said
             .split("coloured by ")
             .nth(1)
-            .and_then(|rest| rest.split_whitespace().next())
+            .and_then(|rest| rest.lines().next())
             .expect("a field");
         let frame = fs::read(desk.path(folder).join("particles_000001.vtu")).expect("a frame");
         let named = format!("Name=\"{field}\"");

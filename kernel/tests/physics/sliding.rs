@@ -6,7 +6,7 @@
 //! slides from then on. Friction has then taken mu g t_s/2 less of the velocity than from a rigid block, and the way until t is
 //! (a - mu g) t²/2 + mu g t_s/2 (t - t_s/3). The foot slides on if it has not stopped after t_s < H/c.
 
-use crate::common::{APIC, FLIP, SCHEMES, body, cuboid, elastic, empty, material, simulation};
+use crate::common::{APIC, FLIP, body, cuboid, elastic, empty, material, simulation};
 use crate::physics::contact::pair;
 use approx::assert_abs_diff_eq;
 use proctor_scene::{Dimension, History, InitialStress, Scene, StressScheme, Transfer};
@@ -71,7 +71,8 @@ fn an_elastic_block_slides_farther_than_a_rigid_one_by_what_its_foot_sticks() {
     let rigid = 0.5 * (PULL - FRICTION * GRAVITY) * TIME * TIME;
     let farther = 0.5 * FRICTION * GRAVITY * sticks * (TIME - sticks / 3.0);
     assert!(farther > 0.02 * rigid);
-    for scheme in SCHEMES {
+    // With USF a driven body that moves acts at its nodes, of which plans warn.
+    for scheme in [StressScheme::Usl, StressScheme::Musl] {
         for transfer in [FLIP, APIC] {
             let found = way(scheme, transfer);
             assert_abs_diff_eq!(found, rigid + farther, epsilon = 0.03 * farther);

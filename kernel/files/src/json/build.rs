@@ -125,6 +125,12 @@ impl<'a> Build<'a> {
             .collect()
     }
 
+    /// Adds a problem of a choice that is none, whatever else is in the scene.
+    pub fn add_choice(&mut self, path: &str, found: String, accepted: &str) {
+        self.add(path, found, accepted);
+        self.of_words.push(self.problems.len() - 1);
+    }
+
     /// Adds a problem.
     pub fn add(
         &mut self,

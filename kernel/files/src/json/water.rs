@@ -19,7 +19,7 @@ impl Build<'_> {
             None | Some(1) => false,
             Some(2) => true,
             Some(other) => {
-                self.add("n_phases", other.to_string(), "1 or 2");
+                self.add_choice("n_phases", other.to_string(), "1 or 2");
                 return;
             }
         };
