@@ -44,15 +44,15 @@ pub(super) const PLANES: ConditionType = ConditionType {
 };
 
 fn of(settings: &CycleSettings, shape: &GridShape) -> Option<ConditionResult> {
-    let walls = walls_of(&settings.mesh.planes, shape);
-    let water = settings.water_planes.as_ref();
+    let walls = walls_of(settings.mesh.planes, shape);
+    let water = settings.water_planes;
     let water = water.map_or_else(Vec::new, |planes| walls_of(planes, shape));
     let act = !walls.is_empty() || !water.is_empty() || settings.base_motion.is_some();
     act.then(|| Ok(Arc::new(Walls { walls, water }) as _))
 }
 
 /// The planes that are not free.
-fn walls_of(planes: &[[PlaneCondition; 2]; 3], shape: &GridShape) -> Vec<Wall> {
+fn walls_of(planes: [[PlaneCondition; 2]; 3], shape: &GridShape) -> Vec<Wall> {
     let mut walls = vec![];
     for (axis, sides) in planes.iter().enumerate().take(shape.axes) {
         for (side, &condition) in sides.iter().enumerate() {

@@ -15,7 +15,7 @@ impl Cycle {
     /// Mass of the pore water \[kg\]. It changes as water flows, since particles move with the skeleton.
     #[must_use]
     pub fn water_mass(&self) -> f64 {
-        self.sum_of_water(|water, set, p| water_mass(water, set, p))
+        self.sum_of_water(water_mass)
     }
 
     /// Momentum of the pore water \[kg m/s\].
