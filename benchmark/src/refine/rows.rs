@@ -5,6 +5,7 @@ use super::run::MeshRun;
 use super::work::Runs;
 use crate::record::row::VERDICT;
 use crate::record::{LADDER, Record, Row, key};
+use std::fmt::Write;
 
 /// Name of the aggregates that are bars.
 pub const BAR: &str = "bar";
@@ -23,7 +24,8 @@ pub fn history(refined: &Refined, judged: &Judged, runs: &Runs) -> Option<String
             .get(k)
             .filter(|bar| claimed && bar.verdict.claims());
         let bar = bar.map_or_else(String::new, |bar| bar.width.to_string());
-        table.push_str(&format!("{time},{value},{bar}\n"));
+        // Writing to a text does not fail.
+        let _ = writeln!(table, "{time},{value},{bar}");
     }
     Some(table)
 }
