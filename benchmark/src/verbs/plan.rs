@@ -51,6 +51,11 @@ impl Plan {
 /// Begin of the warning that the stress at the start is out of balance.
 pub(super) const OUT_OF_BALANCE: &str = "the initial stress is out of balance";
 
+/// True for a scene that is damped until forces are in balance: they may be out of it at the start.
+pub(super) fn seeks_balance(scene: &Scene) -> bool {
+    scene.until.is_some() && scene.damping.slows()
+}
+
 /// Shows the plan of a scene, or of one stage.
 fn show(scene: &Scene, places: &SourceMap, out: &mut dyn Write) -> Result<(), Failure> {
     let options = Options::default();
@@ -67,8 +72,8 @@ fn show(scene: &Scene, places: &SourceMap, out: &mut dyn Write) -> Result<(), Fa
     let mut simulation = Simulation::new(scene, &options)
         .map_err(|error| Failure::BadInput(places.of_setup(&error)))?;
     let mut plan = simulation.plan().clone();
-    if scene.initial_state.is_some() {
-        // The plan fills the bodies anew: their stress is in the state, which is not there yet.
+    // The plan fills bodies that begin from a state anew: their stress is in the state, which is not there yet.
+    if scene.initial_state.is_some() || seeks_balance(scene) {
         plan.warnings
             .retain(|warning| !warning.starts_with(OUT_OF_BALANCE));
     }

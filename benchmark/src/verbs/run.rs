@@ -3,7 +3,7 @@
 mod report;
 
 use super::picture::draw_last;
-use super::plan::OUT_OF_BALANCE;
+use super::plan::{OUT_OF_BALANCE, seeks_balance};
 use super::settings::{Settings, bounded};
 use super::stages;
 use crate::exit::{Failure, Outcome};
@@ -126,8 +126,10 @@ impl Run {
         }
         // Bodies were filled anew before their state came from the checkpoint: their balance then is none of the run.
         let anew = restart.is_some() && scene.initial_state.is_some();
+        let foreseen = anew || seeks_balance(scene);
         let warnings = run.simulation().plan().warnings.iter();
-        for warning in warnings.filter(|warning| !(anew && warning.starts_with(OUT_OF_BALANCE))) {
+        for warning in warnings.filter(|warning| !(foreseen && warning.starts_with(OUT_OF_BALANCE)))
+        {
             say!("warning: {warning}");
         }
         let first = run.simulation().steps();
