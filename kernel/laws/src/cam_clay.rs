@@ -102,7 +102,7 @@ impl CamClay {
         }
     }
 
-    /// Whether the shear modulus grows with the pressure.
+    /// True where the shear modulus grows with the pressure.
     #[must_use]
     pub fn is_proportional(&self) -> bool {
         self.shear == 0.0
@@ -200,7 +200,7 @@ impl CamClay {
     }
 }
 
-/// What a return to the ellipse gives.
+/// Result of a return to the ellipse.
 struct Returned<L: Lanes> {
     pressure: L,
     preconsolidation: L,

@@ -94,7 +94,7 @@ pub struct Grid {
     pub joined: Vec<bool>,
     /// Who shares the slabs.
     pub team: Arc<Team>,
-    /// Whether bodies have water in their pores.
+    /// True where bodies have water in their pores.
     pub has_water: bool,
     least_share: usize,
     sorter: Sorter,

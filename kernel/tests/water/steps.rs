@@ -4,7 +4,7 @@ use super::support::{column, strip};
 use crate::common::simulation;
 use proctor_scene::{StressScheme, TimeStep};
 
-/// Whether noise in the pressure stays bounded with a step of so many times h/c1; `None` for the critical one.
+/// True where noise in the pressure stays bounded with a step of so many times h/c1; `None` for the critical one.
 fn holds(k: f64, scheme: StressScheme, multiplier: Option<f64>) -> bool {
     let of = column(k);
     let mut scene = strip(&of, k, 20, scheme);

@@ -41,7 +41,7 @@ fn pressure_obeys_diffusion() {
     }
 }
 
-/// What settles is the mean strain: the integral of (Q - p)/`E_c`.
+/// The mean strain settles: the integral of (Q - p)/`E_c`.
 #[test]
 fn settlement_is_the_integral_of_the_strain() {
     let (t, ramp, count) = (500.0, 600.0, 2000);

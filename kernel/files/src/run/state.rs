@@ -318,7 +318,7 @@ fn save_absorbing(nodes: &[AbsorbingNode], absorbed: f64, checkpoint: &mut Check
 /// Section of the energy that drag of pore water took \[J\].
 const DRAG: &str = "water/drag";
 
-/// Whether particles have water in their pores.
+/// True where particles have water in their pores.
 fn is_wet(sets: &[ParticleSet]) -> bool {
     sets.iter().any(|set| set.layout.water.is_some())
 }

@@ -61,7 +61,7 @@ fn a_stage_changes_what_it_names() {
     assert_eq!(shake.scene.name, "scene, shake");
 }
 
-/// Ground at rest is asked for gravity along one axis in the stage that begins with it, not in those that tilt gravity later.
+/// Ground at rest needs gravity along one axis in the stage that begins with it, not in those that tilt gravity later.
 #[test]
 fn gravity_of_a_later_stage_may_have_any_direction() {
     let stages = read(r#"[{"name": "rest", "time": 0.1}, {"name": "slide", "gravity": [5, -10]}]"#)

@@ -127,7 +127,7 @@ pub(super) fn refuse_none(scene: &Scene, index: usize) -> Result<(), SetupError>
     })
 }
 
-/// Whether a law remembers the largest pressure that it has borne.
+/// True for a law that remembers the largest pressure that it has borne.
 fn remembers_pressure(law: &AnyLaw) -> bool {
     law.variables().contains(&PRECONSOLIDATION)
 }

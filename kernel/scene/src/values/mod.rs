@@ -169,7 +169,7 @@ impl Scene {
         pressed.unwrap_or_else(|| law.clone())
     }
 
-    /// Whether materials have water in their pores.
+    /// True where materials have water in their pores.
     #[must_use]
     pub fn has_water(&self) -> bool {
         !self.pore_water.is_empty()

@@ -20,7 +20,7 @@ pub(in crate::simulation) struct WaterTask {
     pub(in crate::simulation) compress: Option<(f64, usize)>,
 }
 
-/// What the particles of one share see.
+/// Nodes of skeleton and water that particles gather from.
 struct Nodes<'a> {
     skeleton: &'a [Line],
     water: &'a [Line],

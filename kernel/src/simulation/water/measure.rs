@@ -6,7 +6,7 @@ use crate::particles::ParticleSet;
 use crate::simulation::Cycle;
 
 impl Cycle {
-    /// Whether bodies have water in their pores.
+    /// True where bodies have water in their pores.
     #[must_use]
     pub fn has_water(&self) -> bool {
         self.work.grid.has_water

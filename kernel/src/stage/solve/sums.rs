@@ -11,15 +11,15 @@ pub struct PlaneSums {
     pub unbalanced_squared: f64,
     /// Power of the nodal loads and of the moving planes \[W\].
     pub power: f64,
-    /// What local and viscous damping took over the kick \[J\].
+    /// Energy that local and viscous damping took over the kick \[J\].
     pub damping: f64,
-    /// What friction of contact took \[J\].
+    /// Energy that friction of contact took \[J\].
     pub friction: f64,
-    /// What contact took along its normal, where bodies met \[J\].
+    /// Energy that contact took along its normal, where bodies met \[J\].
     pub impact: f64,
     /// Energy that left through absorbing planes over the kick \[J\].
     pub absorbed: f64,
-    /// What the drag between pore water and skeleton took over the kick \[J\].
+    /// Energy that the drag between pore water and skeleton took over the kick \[J\].
     pub drag: f64,
 }
 

@@ -14,7 +14,7 @@ use std::ops::Range;
 pub struct WaterP2g<'a> {
     /// The particles.
     pub set: &'a ParticleSet,
-    /// How they see the grid.
+    /// Their view of the grid.
     pub mapping: &'a Mapping,
     /// The water in their pores.
     pub water: &'a PoreWater,

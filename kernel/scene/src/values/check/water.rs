@@ -162,7 +162,7 @@ fn check_method(scene: &Scene, problems: &mut Collector) {
     );
 }
 
-/// What else is in the scene.
+/// Other parts of the scene.
 fn check_company(scene: &Scene, problems: &mut Collector) {
     let absorbs = (scene.mesh.planes.iter().flatten()).any(|plane| {
         matches!(
