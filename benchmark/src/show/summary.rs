@@ -1,7 +1,7 @@
 //! Cases that were run, one line each, and the verdict over all of them.
 
 use super::paint::{Mark, Paint};
-use super::{case as full, columns, in_words, percent, seconds};
+use super::{case as full, columns, filled, in_words, percent, seconds};
 use crate::measure;
 use crate::record::details::{GateDetail, gate};
 use crate::record::{CaseState, Record};
@@ -15,6 +15,8 @@ use std::time::Duration;
 const BESIDE: usize = 44;
 /// Characters of the name of the headline error, at least and at most.
 const HEADLINE: [usize; 2] = [10, 36];
+/// Share of its bound up to which a gate is far from it.
+const FAR: f64 = 0.5;
 /// Cases that failed and are named in the verdict; all of them stand above it.
 const NAMED: usize = 6;
 
@@ -92,6 +94,39 @@ impl Lines {
         full::failed_gates(ran, out)
     }
 
+    /// The cases that hold far from all of their bounds, in one paragraph: a table is for what is near a bound.
+    ///
+    /// # Errors
+    /// If `out` cannot be written.
+    pub fn far<'a>(
+        &self,
+        cases: impl Iterator<Item = &'a Ran>,
+        out: &mut dyn Write,
+    ) -> io::Result<()> {
+        let far: Vec<&Ran> = cases.filter(|ran| is_far(ran)).collect();
+        if far.is_empty() {
+            return Ok(());
+        }
+        let gates: usize = far.iter().map(|ran| ran.verdict.gates.len()).sum();
+        let cases = match far.len() {
+            1 => "1 more case".to_owned(),
+            n => format!("{n} more cases"),
+        };
+        let names: Vec<&str> = far.iter().map(|ran| ran.case.name()).collect();
+        let text = format!(
+            "{cases}, {gates} of {gates} gates, each within {:.0} % of its bound: {}",
+            100.0 * FAR,
+            names.join(", ")
+        );
+        let symbol = self.paint.symbol(Mark::Held);
+        let mut before = symbol.as_str();
+        for line in filled(text.split(' '), columns() - 2) {
+            writeln!(out, "{before} {line}")?;
+            before = " ";
+        }
+        Ok(())
+    }
+
     fn line(&self, symbol: &str, name: &str, cells: [&str; 5]) -> String {
         let [gates, tightest, of, error, time] = cells;
         let (width, headline) = (self.name, self.headline);
@@ -99,6 +134,13 @@ impl Lines {
             "{symbol} {name:<width$}  {gates:>8}  {tightest:>8}  {of:<headline$}  {error:>9}  {time:>7}"
         )
     }
+}
+
+/// True for a case that holds, every gate of it within [`FAR`] of its bound.
+#[must_use]
+pub fn is_far(ran: &Ran) -> bool {
+    let mut gates = ran.verdict.gates.iter().map(gate);
+    ran.passed() && gates.all(|gate| gate.used() <= FAR)
 }
 
 /// A share of a bound. What holds is never told as all of it or more.
@@ -344,6 +386,26 @@ mod tests {
         for word in ["FAIL  error: 0.02, at most 0.01", "a reason"] {
             assert!(failed.contains(word), "{word}: {failed}");
         }
+    }
+
+    #[test]
+    fn cases_far_from_their_bounds_share_a_paragraph() {
+        let all = [ran(0, 0.001), ran(1, 0.0051), ran(2, 0.005), ran(3, 1.0)];
+        assert_eq!(
+            all.iter().map(is_far).collect::<Vec<_>>(),
+            [true, false, true, false]
+        );
+        let lines = Lines::new(Paint::NONE, ["boussinesq"]);
+        let mut text = vec![];
+        lines.far(all.iter(), &mut text).expect("written");
+        let [first, third] = [0, 2].map(|number| case::all()[number].name());
+        assert_eq!(
+            String::from_utf8(text).expect("text"),
+            format!("✓ 2 more cases, 2 of 2 gates, each within 50 % of its bound: {first},\n  {third}\n")
+        );
+        let mut none = vec![];
+        lines.far(all[1..2].iter(), &mut none).expect("written");
+        assert!(none.is_empty());
     }
 
     #[test]

@@ -21,7 +21,7 @@ use crate::report::{self, Since};
 use crate::say::say;
 use crate::show::paint::Paint;
 use crate::show::refine as show_refined;
-use crate::show::summary::{Kept, Lines, Verdict};
+use crate::show::summary::{Kept, Lines, Verdict, is_far};
 use crate::show::{case as full, precision as show_study, short, stability as show_stability};
 use crate::stability::{Asked as AskedOfStability, Done, jobs};
 use crate::suite::{self, Ran};
@@ -232,7 +232,7 @@ impl Job<'_> {
                 if amount.all() {
                     full::runs(&ran, out)?;
                     full::gates(&ran, false, out)?;
-                } else if amount.more_than_the_verdict() {
+                } else if amount.more_than_the_verdict() && !is_far(&ran) {
                     lines.case(&ran, out)?;
                 }
                 out.flush()
@@ -259,6 +259,9 @@ impl Job<'_> {
             &progress,
             each,
         )?;
+        if amount.more_than_the_verdict() && !amount.all() {
+            self.tell(|out| lines.far(all.iter(), out))?;
+        }
         Ok(all)
     }
 

@@ -15,12 +15,12 @@ const FELT: f64 = 1.0 / 3.0;
 /// With MUSL and USF such walls act at nodes. Forces there balance from step to step, not within each: local damping, which takes a
 /// share of what is out of balance, does not bring them to rest. Of 19 columns of ground so (`proctor verify --generated 10000`,
 /// question `walls`, seeds 1 and 2) 4 were off by 5 to 15 % of the stress at the base, and 10 did not come to rest; of the 94 others on
-/// lines none was off, of 430 with faces within cells none. With USL and uGIMP the edges of domains pass a line to and fro: one of
-/// three was off, by 6 %, and right with its faces moved by a twentieth of a cell.
+/// lines none was off, of 430 with faces within cells none. With USL and domains (uGIMP or cpGIMP) their edges pass a line to and fro:
+/// one of three was off, by 6 %, and right with its faces moved by a twentieth of a cell.
 pub(super) fn at_nodes(scene: &Scene) -> Vec<String> {
     let local = matches!(scene.damping, Damping::Local { alpha } if alpha > 0.0);
     let usl = scene.scheme == StressScheme::Usl;
-    if !local || (usl && scene.weighting != Weighting::UniformGimp) {
+    if !local || (usl && scene.weighting == Weighting::QuadraticBSpline) {
         return vec![];
     }
     let of = |rest: &Rest<'_>| {
