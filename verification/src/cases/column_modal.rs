@@ -80,7 +80,7 @@ fn of_soil(number: usize, counts: &[u32]) -> Vec<Rung> {
     rungs.into_iter().map(|rung| rung.with(number)).collect()
 }
 
-/// Waves of the ramp show on coarse meshes where the water flows easily, so that the order is that from 32 to 64 cells there.
+/// Waves of the ramp show at 16 cells where the water flows easily: 20 there.
 fn rungs(size: Size) -> Vec<Rung> {
     match size {
         Size::Quick => of_soil(1, &[16, 32]),
@@ -89,7 +89,7 @@ fn rungs(size: Size) -> Vec<Rung> {
                 of_soil(
                     number,
                     if number == 0 {
-                        &[20, 32, 64]
+                        &[20, 32]
                     } else {
                         &[16, 32]
                     },
