@@ -14,6 +14,8 @@
 mod gather;
 mod measure;
 mod nodes;
+mod planes;
 
 pub(super) use gather::WaterTask;
 pub(super) use nodes::{drag, share_beyond, split};
+pub use planes::PressedPlane;
