@@ -7,8 +7,8 @@ use crate::grid::GridShape;
 use crate::model::{CycleSettings, PlaneCondition};
 use crate::simulation::context::{Condition, FieldNodes, NodalConditions, Remap};
 use crate::simulation::step_view::StepView;
-use crate::simulation::water::PressedPlane;
 use crate::stage::solve::Wall;
+use crate::stage::water::PressedPlane;
 use std::sync::Arc;
 
 /// The planes that are not free.

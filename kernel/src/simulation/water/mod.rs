@@ -14,8 +14,6 @@
 mod gather;
 mod measure;
 mod nodes;
-mod planes;
 
 pub(super) use gather::WaterTask;
 pub(super) use nodes::{drag, share_beyond, split};
-pub use planes::PressedPlane;
