@@ -224,6 +224,7 @@ fn every_case_has_a_study_or_a_reason_why_not() {
             "grains",
             "half-space",
             "radial-vibration",
+            "column-modal",
             "column-early",
             "column-closed",
             "column-terzaghi",

@@ -52,26 +52,7 @@ pub static COLUMN_MODAL: Case = Case::new(
     &[PRESSURE, EFFECTIVE, TOP],
 )])
 .wrong_references(&[WRONG_CONDUCTIVITY, WRONG_MODULUS])
-.studies(&[Plan::new(
-    Ladder::made(|size| {
-        let counts: &[u32] = match size {
-            Size::Quick => &[8, 16],
-            Size::Full => &[8, 16, 32],
-        };
-        of_soil(1, counts)
-    }),
-    &[
-        Measure::new("pressure", PRESSURE),
-        Measure::new("stress", EFFECTIVE),
-    ],
-    1,
-)
-// Others are refused by name where there is water.
-.trying(|_, method| {
-    method.weighting == Weighting::UniformGimp
-        && method.transfer == TransferKind::Flip
-        && method.scheme != StressScheme::Usf
-})])
+.no_study("a study tries all weighting functions and transfers, and water goes with uGIMP and FLIP alone")
 .no_guest("no other solver of the protocol knows pore water");
 
 fn of_soil(number: usize, counts: &[u32]) -> Vec<Rung> {
@@ -85,16 +66,7 @@ fn rungs(size: Size) -> Vec<Rung> {
     match size {
         Size::Quick => of_soil(1, &[16, 32]),
         Size::Full => (0..SOILS.len())
-            .flat_map(|number| {
-                of_soil(
-                    number,
-                    if number == 0 {
-                        &[20, 32]
-                    } else {
-                        &[16, 32]
-                    },
-                )
-            })
+            .flat_map(|number| of_soil(number, if number == 0 { &[20, 32] } else { &[16, 32] }))
             .collect(),
     }
 }
