@@ -1,8 +1,8 @@
 //! Does soil from which no water can flow swing as one solid of the undrained modulus?
 //!
-//! Source: `exact/bar.rs` with the modulus `E_c` + `K_w`/n and the density of soil and water. A column between two shut planes begins
-//! with the velocity of its first mode. From k = 1e-6 m/s on the water lags by less than 4e-4 of the way, so the wave is that
-//! of a bar that both ends hold, and the run that of the same scene of one phase (`one phase`).
+//! Source: `exact/bar.rs` with the modulus `E_c` + `K_w`/n and the density of soil and water. A column between two shut
+//! planes begins with the velocity of its first mode. From k = 1e-6 m/s on the water lags by less than 4e-4 of the way,
+//! so the wave is that of a bar that both ends hold, and the run that of the same scene of one phase (`one phase`).
 //!
 //! Expected: order 2, and no difference to one phase beyond the flow. `proctor verify column-closed`.
 

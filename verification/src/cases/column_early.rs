@@ -1,8 +1,8 @@
 //! Does water that has not had the time to flow bear the undrained pressure?
 //!
-//! Source: Biot 1956, `exact/two_phase_column.rs`. The column of *column-modal* at k = 1e-6 and 1e-7 m/s, just after its load has
-//! come on: the drained layer at the top is 0.03 of a cell to a fifth of one, and no mesh resolves it. Two cells and four layers
-//! below the top the pressure is that of the series all the same.
+//! Source: Biot 1956, `exact/two_phase_column.rs`. The column of *column-modal* at k = 1e-6 and 1e-7 m/s, just after
+//! its load has come on: the drained layer at the top is 0.03 of a cell to a fifth of one, and no mesh resolves it. Two
+//! cells and four layers below the top the pressure is that of the series all the same.
 //!
 //! Expected: a prototype in one dimension was off by 9e-6 and 6e-6. `proctor verify column-early`.
 

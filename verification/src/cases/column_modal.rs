@@ -1,12 +1,12 @@
 //! Does a column of soil and water follow the exact series with the inertia of both, at every conductivity?
 //!
-//! Source: Biot 1956 in one dimension, `exact/two_phase_column.rs`. A column on a shut base, its top drained and under a load that
-//! comes on smoothly. From k = 1e-2 m/s, where the water has drained at the end, to 1e-5 m/s, where it has not where the load
-//! stands still: the time is 1e-4/k from 1e-3 m/s on, and so the drained layer is as thick in all.
+//! Source: Biot 1956 in one dimension, `exact/two_phase_column.rs`. A column on a shut base, its top drained and under
+//! a load that comes on smoothly, with conductivities from 1e-2 to 1e-5 m/s. From 1e-3 m/s on the time is 1e-4/k, or
+//! 0.1 s.
 //!
 //! Expected: order 2. A prototype of the same method in one dimension was off by 1.4e-4 (k = 1e-2), 7.2e-4 (1e-3) and
-//! 4.3e-4 (1e-4) of the pressure at 32 cells. What the books of energy leave is of order 1 in the step: 4e-4 to 1e-4 of the work
-//! at `c1 dt/h` from 0.6 to 0.15. `proctor verify column-modal`.
+//! 4.3e-4 (1e-4) of the pressure at 32 cells. What the books of energy leave is of order 1 in the step: 4e-4 to 1e-4 of
+//! the work at `c1 dt/h` from 0.6 to 0.15. `proctor verify column-modal`.
 
 use super::prelude::*;
 

@@ -1,11 +1,11 @@
 //! Does a layer that consolidates slowly have the pressures of Terzaghi, drained at one end or at both?
 //!
-//! Source: Terzaghi 1925 with water that can be compressed, `exact/consolidation.rs`: there is no inertia in it. A load comes on
-//! smoothly in 0.2 s, sixty times the way of the undrained wave through the layer and back. `top` drains at the top alone, `both ends`
-//! at the base too, which holds the skeleton.
+//! Source: Terzaghi 1925 with water that can be compressed, `exact/consolidation.rs`: there is no inertia in it. A load
+//! comes on smoothly in 0.2 s, sixty times the way of the undrained wave through the layer and back. `top` drains at
+//! the top alone, `both ends` at the base too, which holds the skeleton.
 //!
-//! Expected: order 2; a prototype in one dimension was off by 1.0e-2, 2.6e-3 and 6.8e-4 of the pressure at 10, 20 and 40 cells
-//! (`both ends`). `proctor verify column-terzaghi`.
+//! Expected: order 2; a prototype in one dimension was off by 1.0e-2, 2.6e-3 and 6.8e-4 of the pressure at 10, 20 and
+//! 40 cells (`both ends`). `proctor verify column-terzaghi`.
 
 use super::prelude::*;
 use crate::exact::consolidation::Layer;
@@ -89,8 +89,8 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
     scene
 }
 
-/// Pressure at a depth below the drained top \[m\] at the end: the sum of what each piece of the load leaves. Drained at both ends,
-/// the layer is one of half the height and its image.
+/// Pressure at a depth below the drained top \[m\] at the end: the sum of what each piece of the load leaves. Drained
+/// at both ends, the layer is one of half the height and its image.
 fn pressure(rung: &Rung, reference: Reference, depth: f64) -> f64 {
     let height = if rung.variant == BOTH {
         0.5 * HEIGHT

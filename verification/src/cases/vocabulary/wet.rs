@@ -43,8 +43,8 @@ pub fn fast_speed(water: &PoreWater) -> f64 {
     water.fast_speed(SKELETON / water.dry_density(), water.porosity)
 }
 
-/// The exact column under 1 Pa, so that the top sinks by nothing beside a cell, that comes on smoothly in forty transits of the
-/// undrained wave.
+/// The exact column under 1 Pa, so that the top sinks by nothing beside a cell, that comes on smoothly in forty
+/// transits of the undrained wave.
 pub fn exact_column(conductivity: f64) -> TwoPhaseColumn {
     let column = TwoPhaseColumn {
         height: HEIGHT,
@@ -112,7 +112,8 @@ pub fn seeping(simulation: &Simulation, body: usize, p: usize) -> f64 {
     })
 }
 
-/// Means over cells of pore pressure and effective stress, from the base up \[Pa\], of particles that have moved by nothing.
+/// Means over cells of pore pressure and effective stress, from the base up \[Pa\], of particles that have moved by
+/// nothing.
 pub fn means_over_cells(simulation: &Simulation, h: f64) -> Vec<[f64; 2]> {
     let count = cells(HEIGHT, h);
     let set = &simulation.sets()[0];
