@@ -223,7 +223,13 @@ fn every_case_has_a_study_or_a_reason_why_not() {
             "angular-momentum",
             "grains",
             "half-space",
-            "radial-vibration"
+            "radial-vibration",
+            "column-modal",
+            "column-early",
+            "column-closed",
+            "column-terzaghi",
+            "hydrostatic-jump",
+            "seepage"
         ]
     );
 }

@@ -60,6 +60,8 @@ pub struct CycleSettings {
     pub drives_bodies: bool,
     /// Condition of each boundary plane for the pore water, where bodies have any.
     pub water_planes: Option<[[PlaneCondition; 2]; 3]>,
+    /// Pressure of the pore water at each boundary plane where one is given, compression positive \[Pa\].
+    pub water_pressures: [[Option<f64>; 2]; 3],
     /// True where a body has a stress at the start.
     pub starts_stressed: bool,
     /// What happens to a particle that leaves the mesh.

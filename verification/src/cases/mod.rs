@@ -14,6 +14,10 @@ mod cantilever;
 mod collapse;
 mod colliding_blocks;
 mod colliding_disks;
+mod column_closed;
+mod column_early;
+mod column_modal;
+mod column_terzaghi;
 mod corner_block;
 mod element;
 mod fluid;
@@ -24,6 +28,7 @@ mod hertz;
 mod hertz_slab;
 mod hertz_sphere;
 mod homogeneous;
+mod hydrostatic_jump;
 mod inclined_block;
 mod inclined_two_blocks;
 mod incompressible_box;
@@ -35,6 +40,7 @@ mod rings;
 mod rolling_disk;
 mod rolling_disk_slab;
 mod rotation;
+mod seepage;
 mod self_weight;
 mod shear_and_turn;
 mod slipping_disk;
@@ -121,6 +127,12 @@ list! {
     thick_cylinder::[THICK_CYLINDER],
     half_space::[HALF_SPACE],
     radial_vibration::[RADIAL_VIBRATION],
+    column_modal::[COLUMN_MODAL],
+    column_early::[COLUMN_EARLY],
+    column_closed::[COLUMN_CLOSED],
+    column_terzaghi::[COLUMN_TERZAGHI],
+    hydrostatic_jump::[HYDROSTATIC_JUMP],
+    seepage::[SEEPAGE],
 }
 
 /// The error of the stress, where a case has one.

@@ -16,16 +16,17 @@ pub(crate) use proctor_scene::simulation::{
 };
 pub(crate) use proctor_scene::{
     BaseMotion, Body, BodyBoundary, BoxLoad, Contact, ContactNormal, Damping, Dimension,
-    DomainUpdate, HeldBox, History, InitialStress, Material, Mesh, Mortar, MortarContact, Motion,
-    ParticleSeed, PlaneCondition, PointLoad, Results, RigidFacets, RigidLine, RigidSurface, Scene,
-    Shape, StressScheme, TimeStep, Traction, TransferKind, Vector, Vertices, VolumetricStrain,
-    Weighting,
+    DomainUpdate, HeldBox, History, InitialPressure, InitialStress, Material, Mesh, Mortar,
+    MortarContact, Motion, ParticleSeed, PlaneCondition, PointLoad, PoreWater, Results,
+    RigidFacets, RigidLine, RigidSurface, Scene, Shape, StressScheme, TimeStep, Traction,
+    TransferKind, Vector, Vertices, VolumetricStrain, Weighting,
 };
 
 pub(crate) use super::vocabulary::mortar::{self, *};
 pub(crate) use super::vocabulary::parts::*;
 pub(crate) use super::vocabulary::relaxation::*;
 pub(crate) use super::vocabulary::stepping::*;
+pub(crate) use super::vocabulary::wet::*;
 pub(crate) use super::{FIELDS, PARTED, STRESS_MEASURE, known_reference};
 pub(crate) use crate::case::gates::{
     GateRule, Runs, TableRule, error, order, reciprocal_order, value, worst,

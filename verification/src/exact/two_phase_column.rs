@@ -166,6 +166,23 @@ impl TwoPhaseState {
         column.confined_modulus * rest - self.share * column.load
     }
 
+    /// Mean of the pressure of the water between two heights (m), Pa.
+    #[must_use]
+    pub fn mean_pressure(&self, low: f64, high: f64) -> f64 {
+        let (n, water) = (self.column.porosity, self.column.bulk_water);
+        let mean = |k: f64| (libm::sin(k * high) - libm::sin(k * low)) / (high - low);
+        -water / n * self.sum(|k, u| ((1.0 - n) * u[0] + n * u[1]) * mean(k))
+    }
+
+    /// Mean of the effective vertical stress between two heights (m), Pa.
+    #[must_use]
+    pub fn mean_effective_stress(&self, low: f64, high: f64) -> f64 {
+        let column = &self.column;
+        let mean = |k: f64| (libm::sin(k * high) - libm::sin(k * low)) / (high - low);
+        let rest = self.sum(|k, u| u[0] * mean(k));
+        column.confined_modulus * rest - self.share * column.load
+    }
+
     /// The smallest terms first.
     fn sum(&self, term: impl Fn(f64, &[f64; 2]) -> f64) -> f64 {
         let all = self.modes.iter().enumerate().rev();

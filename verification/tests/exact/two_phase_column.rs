@@ -103,3 +103,26 @@ fn nothing_drains_at_first() {
     let share = state.pressure(0.2) / (state.pressure(0.2) - state.effective_stress(0.2));
     assert_relative_eq!(share, column.undrained_share(), max_relative = 1e-4);
 }
+
+/// Means between two heights are those of sixty points between them.
+#[test]
+fn means_are_those_of_points() {
+    let state = column(1e-3).at(0.1, 200);
+    let (low, high, points) = (0.5, 0.8, 60);
+    let mean = |of: &dyn Fn(f64) -> f64| {
+        let at = |i: usize| low + (high - low) * (i as f64 + 0.5) / points as f64;
+        (0..points).map(|i| of(at(i))).sum::<f64>() / points as f64
+    };
+    let pressure = mean(&|z| state.pressure(z));
+    let stress = mean(&|z| state.effective_stress(z));
+    assert_relative_eq!(
+        state.mean_pressure(low, high),
+        pressure,
+        max_relative = 1e-4
+    );
+    assert_relative_eq!(
+        state.mean_effective_stress(low, high),
+        stress,
+        max_relative = 1e-4
+    );
+}

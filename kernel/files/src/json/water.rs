@@ -1,11 +1,11 @@
 //! Pore water from its keys.
 
 use super::build::Build;
-use super::keys::RawScene;
+use super::keys::{RawScene, RawWaterPlanes, RawWaterPressures};
 use super::material_keys::RawMaterial;
 use super::materials::entry_path;
 use super::words::WATER_CONDITIONS;
-use proctor_scene::{InitialPressure, PoreWater, Scene};
+use proctor_scene::{InitialPressure, PlaneCondition, PoreWater, Scene};
 
 /// Gravity for which conductivities are given \[m/s²\].
 const GRAVITY: f64 = 9.81;
@@ -59,7 +59,50 @@ impl Build<'_> {
                 }
             }
         }
+        let given = planes.and_then(|mesh| mesh.boundary_pressures_fluid.as_ref());
+        if let Some(given) = given {
+            let named = planes.and_then(|mesh| mesh.boundary_conditions_fluid.as_ref());
+            self.plane_pressures(given, named, scene);
+        }
+        if let Some(level) = raw.water_table {
+            scene
+                .initial_pressures
+                .push(InitialPressure::Table { level });
+        }
         self.pressures(raw, scene);
+    }
+
+    /// Planes at which a pressure is given, and that are free for the water unless they are named otherwise.
+    fn plane_pressures(
+        &mut self,
+        given: &RawWaterPressures,
+        named: Option<&RawWaterPlanes>,
+        scene: &mut Scene,
+    ) {
+        let word = |of: fn(&RawWaterPlanes) -> &Option<String>| {
+            named.is_some_and(|planes| of(planes).is_some())
+        };
+        for (key, axis, side, pressure, is_named) in [
+            ("plane_X0", 0, 0, given.x0, word(|planes| &planes.x0)),
+            ("plane_Xn", 0, 1, given.xn, word(|planes| &planes.xn)),
+            ("plane_Y0", 1, 0, given.y0, word(|planes| &planes.y0)),
+            ("plane_Yn", 1, 1, given.yn, word(|planes| &planes.yn)),
+            ("plane_Z0", 2, 0, given.z0, word(|planes| &planes.z0)),
+            ("plane_Zn", 2, 1, given.zn, word(|planes| &planes.zn)),
+        ] {
+            if pressure.is_none() {
+                continue;
+            }
+            if axis >= self.dimension.axes() {
+                let path = format!("mesh.boundary_pressures_fluid.{key}");
+                self.add(path, "a plane of z in two dimensions", "planes of x and y");
+                continue;
+            }
+            scene.water_pressures[axis][side] = pressure;
+            if !is_named {
+                scene.water_planes[axis][side] = PlaneCondition::Free;
+            }
+        }
     }
 
     fn pressures(&mut self, raw: &RawScene, scene: &mut Scene) {
@@ -171,6 +214,11 @@ impl Build<'_> {
                 "mesh.boundary_conditions_fluid",
                 mesh.is_some_and(|mesh| mesh.boundary_conditions_fluid.is_some()),
             ),
+            (
+                "mesh.boundary_pressures_fluid",
+                mesh.is_some_and(|mesh| mesh.boundary_pressures_fluid.is_some()),
+            ),
+            ("water_table", raw.water_table.is_some()),
             (
                 "initial_pressure_material",
                 raw.initial_pressure_material.is_some(),

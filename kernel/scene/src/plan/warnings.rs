@@ -16,6 +16,7 @@ mod resting;
 mod rows;
 mod sides;
 mod strain;
+mod water;
 
 /// Normal stiffness times cell over Young's modulus above which the layer of a mortar contact is stiffer than the cells
 /// behind it.
@@ -47,6 +48,7 @@ pub(super) fn warnings(scene: &Scene) -> Vec<String> {
     all.extend(driven::hold_nodes(scene));
     all.extend(ground::overlaps(scene));
     all.extend(strain::large_strain(scene));
+    all.extend(water::shut_in(scene));
     all.extend(super::tension::warnings(scene));
     for material in &scene.materials {
         let own = material.law.warnings().into_iter();

@@ -378,6 +378,10 @@ fn start_from(
         }));
         for axis in 0..axes {
             set.columns[Layout::velocity(axes) + axis][p] = state.velocity[axis];
+            // Water begins with the body that it is in.
+            if let Some(first) = set.layout.water {
+                set.columns[first + axis][p] = state.velocity[axis];
+            }
         }
         if let Some(first) = set.layout.affine {
             for a in 0..axes {

@@ -68,6 +68,9 @@ pub struct Scene {
     pub pore_water: Vec<Option<PoreWater>>,
     /// Condition of each boundary plane for the pore water, as those of the mesh are for bodies; `Sliding` lets none through.
     pub water_planes: [[PlaneCondition; 2]; 3],
+    /// Pressure of the pore water at each boundary plane where one is given, compression positive \[Pa\]; the plane is `Free` for
+    /// the water.
+    pub water_pressures: [[Option<f64>; 2]; 3],
     /// Pore pressures at the start.
     pub initial_pressures: Vec<InitialPressure>,
     /// Bodies, in the order of the file.
@@ -136,6 +139,7 @@ impl Scene {
             materials: Vec::new(),
             pore_water: Vec::new(),
             water_planes: [[PlaneCondition::Sliding; 2]; 3],
+            water_pressures: [[None; 2]; 3],
             initial_pressures: Vec::new(),
             bodies: Vec::new(),
             initial_state: None,
@@ -250,6 +254,7 @@ impl Scene {
                 .first()
                 .map_or(1, |body| body.particles_per_cell[0]),
             water_planes: self.has_water().then_some(self.water_planes),
+            water_pressures: self.water_pressures,
             drives_bodies: bodies.clone().any(|body| body.motion.is_some()),
             starts_stressed: self.initial_state.is_some()
                 || bodies.any(|body| body.initial_stress != InitialStress::None),

@@ -12,6 +12,11 @@ pub enum InitialPressure {
         /// Pressure \[Pa\].
         pressure: f64,
     },
+    /// That of water at rest below a level, in all particles; none above it.
+    Table {
+        /// Coordinate of the level along the axis of gravity \[m\].
+        level: f64,
+    },
     /// That of particles whose centres lie in a box \[Pa\].
     Box {
         /// Lower corner \[m\].

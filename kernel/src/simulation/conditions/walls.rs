@@ -8,6 +8,7 @@ use crate::model::{CycleSettings, PlaneCondition};
 use crate::simulation::context::{Condition, FieldNodes, NodalConditions, Remap};
 use crate::simulation::step_view::StepView;
 use crate::stage::solve::Wall;
+use crate::stage::water::PressedPlane;
 use std::sync::Arc;
 
 /// The planes that are not free.
@@ -15,6 +16,8 @@ struct Walls {
     walls: Vec<Wall>,
     /// Those that the pore water meets.
     water: Vec<Wall>,
+    /// Those at which the pressure of the pore water is given.
+    pressed: Vec<PressedPlane>,
 }
 
 /// Boundary planes.
@@ -47,8 +50,30 @@ fn of(settings: &CycleSettings, shape: &GridShape) -> Option<ConditionResult> {
     let walls = walls_of(settings.mesh.planes, shape);
     let water = settings.water_planes;
     let water = water.map_or_else(Vec::new, |planes| walls_of(planes, shape));
-    let act = !walls.is_empty() || !water.is_empty() || settings.base_motion.is_some();
-    act.then(|| Ok(Arc::new(Walls { walls, water }) as _))
+    let pressed = pressed_planes(settings, shape);
+    let act = !(walls.is_empty() && water.is_empty() && pressed.is_empty())
+        || settings.base_motion.is_some();
+    act.then(|| {
+        Ok(Arc::new(Walls {
+            walls,
+            water,
+            pressed,
+        }) as _)
+    })
+}
+
+/// The planes at which the pressure of the pore water is given.
+fn pressed_planes(settings: &CycleSettings, shape: &GridShape) -> Vec<PressedPlane> {
+    let sides = (0..shape.axes).flat_map(|axis| [(axis, 0), (axis, 1)]);
+    let given = sides.filter_map(|(axis, side)| {
+        let pressure = settings.water_pressures[axis][side]?;
+        Some(PressedPlane {
+            axis,
+            side,
+            pressure,
+        })
+    });
+    given.collect()
 }
 
 /// The planes that are not free.
@@ -79,6 +104,7 @@ impl Condition for Walls {
     fn prescribe(&self, _: &StepView<'_>, nodal: &mut NodalConditions) {
         nodal.walls.extend(self.walls.iter().copied());
         nodal.water_walls.extend(self.water.iter().copied());
+        nodal.water_pressures.extend(self.pressed.iter().copied());
     }
 
     fn after(&self, field: &mut FieldNodes<'_, '_>) {

@@ -10,6 +10,7 @@ use crate::model::Vector;
 use crate::particles::ParticleSet;
 use crate::simulation::step_view::StepView;
 use crate::stage::solve::{DashpotNode, DrivenNode, EmptyNode, NodeForce, Planes, Wall};
+use crate::stage::water::PressedPlane;
 use crate::weights::Family;
 use smallvec::SmallVec;
 use std::ops::Range;
@@ -63,6 +64,8 @@ pub struct NodalConditions {
     pub walls: Walls,
     /// The same for the pore water. None of these moves.
     pub water_walls: Walls,
+    /// Boundary planes at which the pressure of the pore water is given.
+    pub water_pressures: SmallVec<[PressedPlane; 6]>,
     /// Velocities half a step before and after of each body whose motion is prescribed \[m/s\], by its place in the scene.
     pub prescribed: Vec<Option<[Vector; 2]>>,
     /// Forces of loads on nodes that change with time, with those that do not, in order of the nodes \[N\].

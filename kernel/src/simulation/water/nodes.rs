@@ -15,12 +15,19 @@ pub(in crate::simulation) fn split(slab: &mut Slab<'_>, context: &StepContext<'_
         return;
     };
     fold_drag(slab, context);
-    for_both(slab, |_, skeleton, flow| {
+    let (shape, pressed) = (slab.shape(), &context.nodal.water_pressures);
+    for_both(slab, |at, skeleton, flow| {
         let n = porosity(&water, skeleton, flow);
         for lane in 4..7 {
             let force = flow[lane];
             flow[lane] = n * force;
             skeleton[lane] += (1.0 - n) * force;
+        }
+        for plane in pressed {
+            if let Some(force) = plane.force(shape, at, volume(&water, skeleton, flow)) {
+                flow[4 + plane.axis] += n * force;
+                skeleton[4 + plane.axis] -= n * force;
+            }
         }
     });
 }
@@ -43,6 +50,7 @@ pub(in crate::simulation) fn drag(
         context.walls_of(Owner::Phase),
         context.walls_of(Owner::Water),
     ];
+    let pressed = &context.nodal.water_pressures;
     for_both(slab, |at, skeleton, flow| {
         let b = flow[SPARE];
         flow[SPARE] = porosity(&water, skeleton, flow);
@@ -80,6 +88,12 @@ pub(in crate::simulation) fn drag(
             sums.drag += taken;
             let weight = |axis: usize| gravity[axis] * flow[1 + axis];
             sums.power += flow[0] * (0..shape.axes).map(weight).sum::<f64>();
+            for plane in pressed {
+                if let Some(force) = plane.force(shape, at, volume(&water, skeleton, flow)) {
+                    let seeping = flow[1 + plane.axis] - skeleton[1 + plane.axis];
+                    sums.power += flow[SPARE] * force * seeping;
+                }
+            }
         }
     });
 }
@@ -110,6 +124,11 @@ fn each_pair_of_walls(slab: &mut Slab<'_>, context: &StepContext<'_>, outwards: 
                 }
             });
     }
+}
+
+/// Volume of water and grains around a node \[m³\].
+fn volume(water: &PoreWater, skeleton: &Line, flow: &Line) -> f64 {
+    flow[0] / water.density + skeleton[0] / water.grain_density
 }
 
 /// Porosity of a node, from the masses of water and grains there: a mean over its particles.

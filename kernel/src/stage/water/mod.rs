@@ -1,7 +1,9 @@
 //! Pore water of particles and nodes: the stages beside those of the skeleton, in plain numbers.
 
 mod mapping;
+mod planes;
 mod point;
 
 pub use mapping::{WaterP2g, map};
+pub use planes::PressedPlane;
 pub use point::PointNodes;

@@ -9,4 +9,5 @@ pub mod relaxation;
 pub mod run_out;
 pub mod slab;
 pub mod stepping;
+pub mod wet;
 pub mod yielding;

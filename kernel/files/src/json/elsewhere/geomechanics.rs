@@ -31,8 +31,8 @@ pub(super) const ALL: &[ForeignWord] = &[
     entry(
         "",
         &["prescribed_pressure_box", "pressure_force_box"],
-        &["initial_pressure_box"],
-        "not covered: a pore pressure that is prescribed; `initial_pressure_box` gives that of the start",
+        &["boundary_pressures_fluid", "initial_pressure_box"],
+        "not covered: a pore pressure that is prescribed in a box; `boundary_pressures_fluid` of the mesh gives one at a plane, `initial_pressure_box` that of the start",
     ),
     entry(
         "",

@@ -18,9 +18,9 @@ pub(super) const ALL: &[ForeignWord] = &[
     ),
     entry(
         "",
-        &["water_level", "water_table", "groundwater", "phreatic"],
-        &["n_phases"],
-        "not covered: pore water; here total stress, one phase",
+        &["water_level", "groundwater", "phreatic"],
+        &["water_table"],
+        "here `water_table`, the level below which water is at rest at the start, with `n_phases` 2",
     ),
     entry(
         "",

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::RawWaterPlanes;
+use super::{RawWaterPlanes, RawWaterPressures};
 use crate::json::lists::Comment;
 
 /// Background mesh.
@@ -42,6 +42,12 @@ pub(in crate::json) struct RawMesh {
         "x-needs" = "`n_phases` 2", "x-default" = "no plane lets water through", "examples" = [{"plane_Yn": "free"}]
     ))]
     pub boundary_conditions_fluid: Option<RawWaterPlanes>,
+    /// Pressures of the pore water at planes, through which it flows freely. Tractions stay total: what the pressure pushes
+    /// the water with it takes from the skeleton.
+    #[schemars(extend(
+        "x-needs" = "`n_phases` 2", "x-default" = "none", "examples" = [{"plane_Y0": 1000}]
+    ))]
+    pub boundary_pressures_fluid: Option<RawWaterPressures>,
     /// Words for people, in every object: one text or a list of them. Nothing reads them.
     #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
     #[expect(dead_code, reason = "words for people")]

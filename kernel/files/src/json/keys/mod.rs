@@ -38,7 +38,9 @@ pub(super) use self::contact::{
 };
 pub(super) use self::ground::{RawLayer, RawZone};
 pub(super) use self::mesh::{RawEarthquake, RawMesh, RawPlanes};
-pub(super) use self::water::{RawMaterialPressure, RawPressureBox, RawWaterPlanes};
+pub(super) use self::water::{
+    RawMaterialPressure, RawPressureBox, RawWaterPlanes, RawWaterPressures,
+};
 
 /// A scene: what is simulated, in SI units.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
@@ -175,6 +177,12 @@ pub(super) struct RawScene {
         "examples" = [[{"type": "sphere", "id": 1, "material_id": 1, "center": [0.5, 0.5, 0.5], "radius": 0.4}]]
     ))]
     pub bodies: Option<Entries<RawBody>>,
+    /// Level of the water table, a coordinate along the axis of gravity: pore pressures at the start are those of water at rest below
+    /// it, and zero above. Pressures of materials and boxes have the last word.
+    #[schemars(extend(
+        "x-unit" = "m", "x-needs" = "`n_phases` 2, `gravity`", "x-default" = "none", "examples" = [1]
+    ))]
+    pub water_table: Option<f64>,
     /// Pore pressures at the start, each of all particles of a material.
     #[schemars(extend(
         "x-needs" = "`n_phases` 2", "x-default" = "none", "examples" = [[{"material_id": 1, "pressure": 1000}]]

@@ -54,6 +54,43 @@ pub(in crate::json) struct RawWaterPlanes {
     pub comment: Option<Comment>,
 }
 
+/// Pressures of the pore water at planes of the mesh, compression positive.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(
+    deny_unknown_fields,
+    expecting = "an object with the planes of the mesh"
+)]
+pub(in crate::json) struct RawWaterPressures {
+    /// Lower plane of x.
+    #[serde(rename = "plane_X0")]
+    #[schemars(extend("x-unit" = "Pa", "x-default" = "none", "examples" = [1000]))]
+    pub x0: Option<f64>,
+    /// Upper plane of x.
+    #[serde(rename = "plane_Xn")]
+    #[schemars(extend("x-unit" = "Pa", "x-default" = "none", "examples" = [1000]))]
+    pub xn: Option<f64>,
+    /// Lower plane of y.
+    #[serde(rename = "plane_Y0")]
+    #[schemars(extend("x-unit" = "Pa", "x-default" = "none", "examples" = [1000]))]
+    pub y0: Option<f64>,
+    /// Upper plane of y.
+    #[serde(rename = "plane_Yn")]
+    #[schemars(extend("x-unit" = "Pa", "x-default" = "none", "examples" = [1000]))]
+    pub yn: Option<f64>,
+    /// Lower plane of z.
+    #[serde(rename = "plane_Z0")]
+    #[schemars(extend("x-needs" = "`dimension` 3", "x-unit" = "Pa", "x-default" = "none", "examples" = [1000]))]
+    pub z0: Option<f64>,
+    /// Upper plane of z.
+    #[serde(rename = "plane_Zn")]
+    #[schemars(extend("x-needs" = "`dimension` 3", "x-unit" = "Pa", "x-default" = "none", "examples" = [1000]))]
+    pub zn: Option<f64>,
+    /// Words for people, in every object: one text or a list of them. Nothing reads them.
+    #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
+    #[expect(dead_code, reason = "words for people")]
+    pub comment: Option<Comment>,
+}
+
 /// Pore pressure of a material at the start.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(

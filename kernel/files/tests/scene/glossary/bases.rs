@@ -119,6 +119,7 @@ fn of_wet_soil(axes: usize) -> Value {
     );
     scene["n_phases"] = 2.into();
     scene["mesh"]["boundary_conditions_fluid"] = json!({});
+    scene["mesh"]["boundary_pressures_fluid"] = json!({});
     scene["initial_pressure_material"] = json!([{"material_id": 1, "pressure": 10}]);
     scene["initial_pressure_box"] =
         json!([{"point_p1": vec![0; axes], "point_p2": vec![1; axes], "pressure": 10}]);

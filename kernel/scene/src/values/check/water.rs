@@ -16,6 +16,13 @@ pub(super) fn check(scene: &Scene, problems: &mut Collector) {
                 "`n_phases` 2",
             );
         }
+        if scene.water_pressures.iter().flatten().any(Option::is_some) {
+            problems.add(
+                "mesh.boundary_pressures_fluid",
+                "a pressure of water in a scene of one phase",
+                "`n_phases` 2",
+            );
+        }
         return;
     }
     check_constants(scene, problems);
@@ -104,6 +111,21 @@ fn check_planes(scene: &Scene, problems: &mut Collector) {
                     "`free`, `sliding` or `fixed`",
                 );
             }
+            if let Some(pressure) = scene.water_pressures[axis][side] {
+                let (letter, end) = (["X", "Y", "Z"][axis], ["0", "n"][side]);
+                let path = format!("mesh.boundary_pressures_fluid.plane_{letter}{end}");
+                problems.finite(&path, pressure);
+                if condition != PlaneCondition::Free {
+                    problems.add(
+                        path,
+                        format!(
+                            "a pressure at a plane that is {} for the water",
+                            condition.word()
+                        ),
+                        "a plane that is `free` in `boundary_conditions_fluid`, or not named there",
+                    );
+                }
+            }
         }
     }
 }
@@ -119,6 +141,18 @@ fn check_pressures(scene: &Scene, problems: &mut Collector) {
                         format!("{path}.material_id"),
                         id.to_string(),
                         "the `id` of a material",
+                    );
+                }
+            }
+            InitialPressure::Table { level } => {
+                problems.finite("water_table", *level);
+                let axes = scene.dimension.axes();
+                let along = scene.gravity[..axes].iter().filter(|g| **g != 0.0).count();
+                if along != 1 {
+                    problems.add(
+                        "water_table",
+                        format!("a level with the gravity {:?}", &scene.gravity[..axes]),
+                        "gravity along one axis, which the level is a coordinate of",
                     );
                 }
             }
