@@ -223,7 +223,14 @@ fn every_case_has_a_study_or_a_reason_why_not() {
             "angular-momentum",
             "grains",
             "half-space",
-            "radial-vibration"
+            "radial-vibration",
+            "breathing",
+            "revolved",
+            "thick-sphere",
+            "yielding-cylinder",
+            "cavity",
+            "triaxial",
+            "round-collapse"
         ]
     );
 }

@@ -10,7 +10,9 @@ mod bar_energy;
 mod base_acceleration;
 mod block_on_two_blocks;
 mod boussinesq;
+mod breathing;
 mod cantilever;
+mod cavity;
 mod collapse;
 mod colliding_blocks;
 mod colliding_disks;
@@ -31,10 +33,12 @@ mod ironing;
 mod plastic_wave;
 mod prelude;
 mod radial_vibration;
+mod revolved;
 mod rings;
 mod rolling_disk;
 mod rolling_disk_slab;
 mod rotation;
+mod round_collapse;
 mod self_weight;
 mod shear_and_turn;
 mod slipping_disk;
@@ -47,10 +51,13 @@ mod staggered_start;
 mod step_bar;
 mod sudden_weight;
 mod thick_cylinder;
+mod thick_sphere;
 mod tilted_incline;
+mod triaxial;
 mod vocabulary;
 mod vortex;
 mod yielding_column;
+mod yielding_cylinder;
 
 pub use grains::{apart as grains_apart, outlines as grain_outlines};
 pub use vocabulary::run_out::outlines as cell_outlines;
@@ -121,6 +128,13 @@ list! {
     thick_cylinder::[THICK_CYLINDER],
     half_space::[HALF_SPACE],
     radial_vibration::[RADIAL_VIBRATION],
+    breathing::[BREATHING],
+    revolved::[REVOLVED],
+    thick_sphere::[THICK_SPHERE],
+    yielding_cylinder::[YIELDING_CYLINDER],
+    cavity::[CAVITY],
+    triaxial::[TRIAXIAL],
+    round_collapse::[ROUND_COLLAPSE],
 }
 
 /// The error of the stress, where a case has one.
