@@ -122,10 +122,9 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
     })
 }
 
-/// The mode at a place \[m\]: its velocity, and the derivative of it by the place \[1/m\].
-fn mode(rung: &Rung, x: Vector) -> (Vector, [[f64; 3]; 3]) {
+/// The mode of a wave number \[1/m\] at a place \[m\]: its velocity, and the derivative of it by the place \[1/m\].
+fn mode(rung: &Rung, k: f64, x: Vector) -> (Vector, [[f64; 3]; 3]) {
     let round = round(rung.variant);
-    let k = round.lowest(POISSON) / RADIUS;
     let at = from_middle(rung, x);
     let far = distance(at);
     let [of, slope] = round.shape(k * far);
@@ -139,9 +138,10 @@ fn mode(rung: &Rung, x: Vector) -> (Vector, [[f64; 3]; 3]) {
 
 fn start(rung: &Rung, _: Reference, options: Options) -> Options {
     let rung = rung.clone();
+    let k = round(rung.variant).lowest(POISSON) / RADIUS;
     starting(options, move |x| {
         let scale = SPEED * wave_speed();
-        let (velocity, rates) = mode(&rung, *x);
+        let (velocity, rates) = mode(&rung, k, *x);
         moving(
             velocity.map(|v| scale * v),
             rates.map(|row| row.map(|v| scale * v)),
@@ -159,7 +159,7 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
         let set = &simulation.sets()[0];
         let (mut sum, mut norm) = (0.0, 0.0);
         for p in 0..set.len() {
-            let (of_mode, _) = mode(rung, simulation.position(0, p));
+            let (of_mode, _) = mode(rung, lowest / RADIUS, simulation.position(0, p));
             let (mass, velocity) = (simulation.particle_mass(0, p), set.velocity(p));
             for axis in 0..2 {
                 sum += mass * of_mode[axis] * velocity[axis];

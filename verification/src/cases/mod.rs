@@ -13,6 +13,7 @@ mod boussinesq;
 mod breathing;
 mod cantilever;
 mod cavity;
+mod circular_footing;
 mod collapse;
 mod colliding_blocks;
 mod colliding_disks;
@@ -134,6 +135,7 @@ list! {
     yielding_cylinder::[YIELDING_CYLINDER],
     cavity::[CAVITY],
     triaxial::[TRIAXIAL],
+    circular_footing::[CIRCULAR_FOOTING],
     round_collapse::[ROUND_COLLAPSE],
 }
 

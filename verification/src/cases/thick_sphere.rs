@@ -5,7 +5,7 @@
 //! three cells on both sides. `elastic` strains by 1e-6; `yielding` is perfectly plastic (von Mises) up to 1.4 m, where it carries
 //! 0.80 of its limit load.
 //!
-//! Expected: order 2 in the displacement, 1 in the stress. `proctor verify thick-sphere`.
+//! Stresses are compared as means over cells. Expected: order 2 in the displacement, 1 in the stress. `proctor verify thick-sphere`.
 
 use super::prelude::*;
 use super::vocabulary::moved::{Moved, smooth};
@@ -25,9 +25,10 @@ const BEYOND: f64 = 3.0; // Cells of the body beyond the wall
 /// Factor of local damping, which leaves prescribed nodes alone.
 const DAMPING: f64 = 0.7;
 /// Times that a wave goes through the wall until its faces have moved.
-const RAMP: f64 = 20.0;
+const RAMP: f64 = 10.0;
 const ELASTIC: &str = "elastic";
 const YIELDING: &str = "yielding";
+const CELLS: &str = "L2(stress of cells)";
 const RESIDUAL: &str = "residual";
 const RESIDUAL_TARGET: f64 = 1e-7;
 const WRONG_PRESSURE: Wrong =
@@ -76,17 +77,17 @@ pub static THICK_SPHERE: Case = Case::new(
     order(DISPLACEMENT)
         .at_least(0.9, "order 1 at least: slopes have a kink where it yields")
         .on(|rung| rung.variant == YIELDING),
-    error(STRESS)
+    error(CELLS)
         .at_most_of(
             [0.1, 0.05],
-            ["order 1, from 5 % at 24 cells", "stresses of the particles are of order 1"],
+            ["order 1, from 5 % at 24 cells", "order 1 is expected of stresses between faces that cut cells"],
         ),
-    order(STRESS).at_least(0.8, "stresses of the particles are of order 1"),
+    order(CELLS).at_least(0.8, "order 1 is expected of stresses between faces that cut cells"),
     worst(RESIDUAL)
         .at_most(1e-6, "far below the errors that are measured, so that they are those of the mesh")
         .named("{quantity}, unbalanced force over load, worst mesh"),
 ])
-.tables(&[TableRule::new("thick sphere, {variant}", &[DISPLACEMENT, STRESS])])
+.tables(&[TableRule::new("thick sphere, {variant}", &[DISPLACEMENT, CELLS])])
 .wrong_references(&[WRONG_PRESSURE])
 .no_study("local damping at the step of its own moved faces would be all that a study compares")
 .no_guest("the scenes of other solvers have no axis of revolution");
@@ -156,8 +157,12 @@ fn faces(rung: &Rung, _: Reference, options: Options) -> Options {
         let far = distance(x);
         let moved = far > 0.0 && (far <= INNER + near || far >= OUTER - near);
         moved.then(|| {
+            let rate = smooth(t / end)[1] / end;
+            if rate == 0.0 {
+                return [0.0; 3];
+            }
             let (u, _) = exact(variant, 1.0, far);
-            radial(x, smooth(t / end)[1] / end * u / far)
+            radial(x, rate * u / far)
         })
     }))
 }
@@ -181,7 +186,7 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
             ([0.0; 3], [0.0; 3])
         })
     });
-    let stress = l2(simulation, |p, x| {
+    let stress = l2_of_cells(simulation, |p, x| {
         let (_, stress) = exact(variant, factor, distance(x));
         let found = simulation.sets()[0].stress(p);
         Some(if inside(x) {
@@ -210,7 +215,7 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
     Ok(Found::new(
         vec![
             ratio(DISPLACEMENT, displacement),
-            ratio(STRESS, stress),
+            ratio(CELLS, stress),
             Quantity::balance(RESIDUAL, run.residual, "1"),
         ],
         Some(curve),

@@ -4,8 +4,9 @@
 //! slowly: to 0.90 of its limit, where half of the wall has yielded (`half`), and to 0.996 of it, where nine tenths have (`limit`). There
 //! the displacement is 13 times as sensitive as the load: an error of 0.1 % in what the wall carries would be 1.4 % of it.
 //!
-//! The pressure rises over ten periods of the elastic wall and viscous damping is that of an overdamped swing, so that no stress falls
-//! on the way. Expected: order 1 at least, since slopes have a kink where it yields. `proctor verify yielding-cylinder`.
+//! The pressure rises over ten periods of the elastic wall, and viscous damping lets it swing no more than once, so that no stress falls
+//! on the way. Stresses are compared as means over cells. Expected: order 1 at least, since slopes have a kink where it yields.
+//! `proctor verify yielding-cylinder`.
 
 use super::prelude::*;
 use super::vocabulary::moved::smooth;
@@ -18,10 +19,10 @@ const POISSON: f64 = 0.3;
 const DENSITY: f64 = 1000.0; // Density [kg/m³]
 const STRENGTH: f64 = 1.0; // Yield stress in tension [Pa]
 const PERIODS: f64 = 10.0; // Times that a wave goes round the wall, until the pressure is whole
-const OVERDAMPED: f64 = 1.2; // Damping over that at which the elastic wall no longer swings
+const DAMPED: f64 = 0.5; // Damping over that at which the elastic wall no longer swings
 const HALF: &str = "half";
 const LIMIT: &str = "limit";
-const RADIAL: &str = "L2(radial stress)";
+const RADIAL: &str = "L2(radial stress of cells)";
 const WIDENING: &str = "displacement of the inner face";
 const RESIDUAL: &str = "residual";
 const RESIDUAL_TARGET: f64 = 1e-7;
@@ -75,10 +76,10 @@ pub static YIELDING_CYLINDER: Case = Case::new(
         .on(|rung| rung.variant == LIMIT),
     error(RADIAL).at_most_of(
         [5e-2, 2.5e-2],
-        ["order 1, from 2.5 % at 32 cells", "stresses of the particles are of order 1"],
+        ["order 1, from 2.5 % at 32 cells", "stresses are of order 1 where they have a kink"],
     ),
     order(DISPLACEMENT).at_least(0.9, "order 1 at least: slopes have a kink where it yields"),
-    order(RADIAL).at_least(0.9, "stresses of the particles are of order 1"),
+    order(RADIAL).at_least(0.9, "stresses are of order 1 where they have a kink"),
     worst(RESIDUAL)
         .at_most(1e-6, "far below the errors that are measured, so that they are those of the mesh")
         .named("{quantity}, unbalanced force over load, worst mesh"),
@@ -121,7 +122,7 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
     let pressure = exact(1.0).cylinder_pressure(front(rung.variant));
     let at = |k: usize| k as f64 / POINTS as f64;
     // The lowest frequency of the elastic wall is about that of a thin ring, c/r.
-    let rate = 2.0 * OVERDAMPED * p_wave_speed(YOUNG, POISSON, DENSITY) / INNER;
+    let rate = 2.0 * DAMPED * p_wave_speed(YOUNG, POISSON, DENSITY) / INNER;
     settings.applied(Scene {
         time_step: settings.multiplier(),
         damping: Damping::Viscous {
@@ -163,7 +164,7 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
         let u = exact.cylinder_displacement(front, x[0]);
         Some((simulation.displacement(0, p)?, [u, 0.0, 0.0]))
     });
-    let radial = l2(simulation, |p, x| {
+    let radial = l2_of_cells(simulation, |p, x| {
         let stress = simulation.sets()[0].stress(p);
         Some(([stress[0]], [exact.cylinder_stress(front, x[0])[0]]))
     });
