@@ -39,7 +39,7 @@ pub static CIRCULAR_FOOTING: Case = Case::new(
     " ",
     "a/h",
     RADIUS,
-    [&[4, 8], &[4, 8, 16]],
+    [&[6], &[4, 8, 16]],
 ))
 .scene(scene)
 .solve_by(solve)
