@@ -218,7 +218,10 @@ const TEMPLATES: &[Template] = &[
         change: &[
             ("friction", "28 instead of 30: it fails before 290 kPa"),
             ("cohesion", "1e4 instead of 0: nothing yields"),
-            ("plane_Y0", "\"sliding\": a smooth platen, and stress is uniform"),
+            (
+                "plane_Y0",
+                "\"sliding\": a smooth platen, and stress is uniform",
+            ),
         ],
     },
     Template {
