@@ -46,7 +46,7 @@ pub static CIRCULAR_FOOTING: Case = Case::new(
 .gates_of_variants(&[error(LOAD).at_most_of(
     [0.1, 0.05],
     [
-        "five percent at h = a/8 of *footing*, and as much for what is one particle per cell",
+        "five percent at h = B/16 of *footing*, and as much for cells that are larger",
         "five percent, as *footing* at the same cells over its width",
     ],
 )])

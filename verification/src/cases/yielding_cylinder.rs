@@ -26,8 +26,8 @@ const RADIAL: &str = "L2(radial stress of cells)";
 const WIDENING: &str = "displacement of the inner face";
 const RESIDUAL: &str = "residual";
 const RESIDUAL_TARGET: f64 = 1e-7;
-const WRONG_STRENGTH: Wrong =
-    Wrong::factor("strength", 1.06).breaks(|gate| gate.contains("error of"));
+const WRONG_STRENGTH: Wrong = Wrong::factor("strength", 1.06)
+    .breaks(|gate| gate.contains("error of") && !gate.contains("stress"));
 
 /// The cylinder that yields.
 pub static YIELDING_CYLINDER: Case = Case::new(
@@ -71,7 +71,7 @@ pub static YIELDING_CYLINDER: Case = Case::new(
     error(WIDENING)
         .at_most_of(
             [4e-2, 2e-2],
-            ["as the displacement of the wall, and a third more at its face", "the same"],
+            ["as the displacement of the wall, and a third more at its face", "as the displacement of the wall at 32 cells, and a third more"],
         )
         .on(|rung| rung.variant == LIMIT),
     error(RADIAL).at_most_of(
