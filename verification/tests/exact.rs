@@ -7,8 +7,10 @@ mod base_column;
 mod bearing;
 mod boussinesq_box;
 mod boussinesq_half_space;
+mod breathing;
 mod cam_clay;
 mod cantilever;
+mod cavity;
 mod channel;
 mod consolidation;
 mod elastic_block;
@@ -23,6 +25,7 @@ mod jet;
 mod material_point;
 mod objective_rate;
 mod plastic_wave;
+mod revolved_mms;
 mod ring_impact;
 mod rolling_creep;
 mod rolling_disk;
@@ -41,6 +44,7 @@ mod two_phase_column;
 mod two_slopes;
 mod vortex;
 mod yielding_column;
+mod yielding_wall;
 
 /// Derivative by central differences of fourth order.
 fn derivative(f: impl Fn(f64) -> f64, h: f64) -> f64 {

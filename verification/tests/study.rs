@@ -229,7 +229,15 @@ fn every_case_has_a_study_or_a_reason_why_not() {
             "column-closed",
             "column-terzaghi",
             "hydrostatic-jump",
-            "seepage"
+            "seepage",
+            "breathing",
+            "revolved",
+            "thick-sphere",
+            "yielding-cylinder",
+            "cavity",
+            "triaxial",
+            "circular-footing",
+            "round-collapse"
         ]
     );
 }

@@ -196,6 +196,35 @@ const TEMPLATES: &[Template] = &[
         ],
     },
     Template {
+        name: "pile",
+        what: "a pile in clay settles under a load on its head: a body of revolution",
+        text: include_str!("../../templates/pile.json"),
+        beside: None,
+        stage: "",
+        field: "Displacement",
+        change: &[
+            ("traction", "-6e5 instead of -3e5: the clay yields"),
+            ("cohesion", "2e4 instead of 4e4: the same"),
+            ("axisymmetric", "without it the pile is a wall"),
+        ],
+    },
+    Template {
+        name: "triaxial",
+        what: "a triaxial test on sand, run as a body of revolution in its cell",
+        text: include_str!("../../templates/triaxial.json"),
+        beside: None,
+        stage: "",
+        field: "Stress_YY",
+        change: &[
+            ("friction", "28 instead of 30: it fails before 290 kPa"),
+            ("cohesion", "1e4 instead of 0: nothing yields"),
+            (
+                "plane_Y0",
+                "\"sliding\": a smooth platen, and stress is uniform",
+            ),
+        ],
+    },
+    Template {
         name: "beam",
         what: "a soft beam, fixed at one end, bends under its own weight: large strains",
         text: include_str!("../../templates/beam.json"),

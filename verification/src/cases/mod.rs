@@ -10,7 +10,10 @@ mod bar_energy;
 mod base_acceleration;
 mod block_on_two_blocks;
 mod boussinesq;
+mod breathing;
 mod cantilever;
+mod cavity;
+mod circular_footing;
 mod collapse;
 mod colliding_blocks;
 mod colliding_disks;
@@ -36,11 +39,13 @@ mod ironing;
 mod plastic_wave;
 mod prelude;
 mod radial_vibration;
+mod revolved;
 mod rings;
 mod rolling_disk;
 mod rolling_disk_slab;
 mod rotation;
 mod seepage;
+mod round_collapse;
 mod self_weight;
 mod shear_and_turn;
 mod slipping_disk;
@@ -53,10 +58,13 @@ mod staggered_start;
 mod step_bar;
 mod sudden_weight;
 mod thick_cylinder;
+mod thick_sphere;
 mod tilted_incline;
+mod triaxial;
 mod vocabulary;
 mod vortex;
 mod yielding_column;
+mod yielding_cylinder;
 
 pub use grains::{apart as grains_apart, outlines as grain_outlines};
 pub use vocabulary::run_out::outlines as cell_outlines;
@@ -133,6 +141,14 @@ list! {
     column_terzaghi::[COLUMN_TERZAGHI],
     hydrostatic_jump::[HYDROSTATIC_JUMP],
     seepage::[SEEPAGE],
+    breathing::[BREATHING],
+    revolved::[REVOLVED],
+    thick_sphere::[THICK_SPHERE],
+    yielding_cylinder::[YIELDING_CYLINDER],
+    cavity::[CAVITY],
+    triaxial::[TRIAXIAL],
+    circular_footing::[CIRCULAR_FOOTING],
+    round_collapse::[ROUND_COLLAPSE],
 }
 
 /// The error of the stress, where a case has one.

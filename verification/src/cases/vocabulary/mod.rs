@@ -2,10 +2,12 @@
 
 pub mod incline;
 pub mod mortar;
+pub mod moved;
 pub mod parts;
 pub mod press;
 pub mod pressures;
 pub mod relaxation;
+pub mod round;
 pub mod run_out;
 pub mod slab;
 pub mod stepping;
