@@ -1,0 +1,65 @@
+//! The chapter of the book on verification: an index, and a page per case with its set-up, gates, errors and reasons.
+//!
+//! Pages are made of what the cases themselves say and of kept records, without a run. A test holds the pages of the book
+//! against them.
+
+mod errors;
+mod page;
+mod sketch;
+
+use crate::record::Record;
+use proctor_verification::case::{self, Case};
+use std::fmt::Write as _;
+
+/// The line that every page has first: who wrote it.
+const WRITTEN: &str =
+    "<!-- Written by `proctor export --format book`. Change the case, not this page. -->\n\n";
+
+/// A file of the chapter, by its path within the folder of the chapter.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct BookFile {
+    /// Path below the folder.
+    pub path: String,
+    /// The whole text.
+    pub text: String,
+}
+
+/// The files of the chapter: an index and, case by case, a page and its pictures. The numbers of a case are those of the
+/// first record that holds its gates; a case of which none does has no page.
+#[must_use]
+pub fn verification(records: &[Record]) -> Vec<BookFile> {
+    let mut files = vec![];
+    let mut index = format!(
+        "{WRITTEN}# The cases\n\nEach page has the question, the set-up, the gates with the reason of each bound, and the errors \
+         of the kept runs. Units are SI; errors are relative unless a unit stands beside them.\n\n\
+         | case | question | gates that hold | nearest to its bound |\n|---|---|--:|--:|\n"
+    );
+    for case in case::all() {
+        let Some(record) = records.iter().find(|record| holds(record, case)) else {
+            continue;
+        };
+        let page = page::Page::new(case, record);
+        let _ = writeln!(
+            index,
+            "| [{0}]({0}.md) | {1} | {2} | {3} |",
+            case.name(),
+            case.question(),
+            page.held(),
+            page.nearest()
+        );
+        files.extend(page.files());
+    }
+    files.insert(
+        0,
+        BookFile {
+            path: "index.md".to_owned(),
+            text: index,
+        },
+    );
+    files
+}
+
+/// True where a record has gates of a case.
+fn holds(record: &Record, case: &Case) -> bool {
+    record.gate_rows().any(|gate| gate.case == case.name())
+}
