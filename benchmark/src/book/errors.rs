@@ -52,7 +52,11 @@ impl Errors {
         let count = |row: &crate::record::Row, key: &str| {
             row.counters.get(key).copied().unwrap_or(f64::NAN)
         };
-        let runs = rows.iter().map(|(label, row)| KeptRun {
+        let compared = |row: &crate::record::Row| {
+            shown.is_empty() || { shown.iter() }.any(|(key, _)| row.counters.contains_key(key))
+        };
+        let runs = rows.iter().filter(|(_, row)| compared(row));
+        let runs = runs.map(|(label, row)| KeptRun {
             label: (*label).to_owned(),
             ladder: row.labels.get(LADDER).cloned().unwrap_or_default(),
             cell: count(row, "cell_size"),

@@ -1,8 +1,9 @@
-//! The chapter of the book on verification: an index, and a page per case with its set-up, gates, errors and reasons.
+//! The generated parts of the book: an index of the cases and a page per case, and drawings that explain the method.
 //!
-//! Pages are made of what the cases themselves say and of kept records, without a run. A test holds the pages of the book
-//! against them.
+//! Pages are made of the cases' own values and of kept records, without a run. A test compares the files of the book with
+//! them.
 
+mod diagrams;
 mod errors;
 mod page;
 mod sketch;
@@ -15,19 +16,22 @@ use std::fmt::Write as _;
 const WRITTEN: &str =
     "<!-- Written by `proctor export --format book`. Change the case, not this page. -->\n\n";
 
-/// A file of the chapter, by its path within the folder of the chapter.
+/// Folder of the pages of the cases below the sources of the book.
+const CASES: &str = "verification/cases";
+
+/// A generated file of the book, by its path below the sources of the book.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BookFile {
-    /// Path below the folder.
+    /// Path below the sources of the book.
     pub path: String,
     /// The whole text.
     pub text: String,
 }
 
-/// The files of the chapter: an index and, case by case, a page and its pictures. The numbers of a case are those of the
-/// first record that holds its gates; a case of which none does has no page.
+/// All generated files: the index, case by case a page and its pictures, and the drawings. The numbers of a case are those
+/// of the first record that holds its gates; a case without such a record has no page.
 #[must_use]
-pub fn verification(records: &[Record]) -> Vec<BookFile> {
+pub fn files(records: &[Record]) -> Vec<BookFile> {
     let mut files = vec![];
     let mut index = format!(
         "{WRITTEN}# The cases\n\nEach page has the question, the set-up, the gates with the reason of each bound, and the errors \
@@ -56,6 +60,10 @@ pub fn verification(records: &[Record]) -> Vec<BookFile> {
             text: index,
         },
     );
+    for file in &mut files {
+        file.path = format!("{CASES}/{}", file.path);
+    }
+    files.extend(diagrams::all());
     files
 }
 

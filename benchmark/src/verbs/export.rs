@@ -56,7 +56,7 @@ enum Shape {
     Badge,
     /// Cases for solvers that read no scene of ours: RECORD is the folder that is written
     Problems,
-    /// Pages of the book on the cases, into the folder of --out; a case is told by the first record that holds it
+    /// Generated pages and drawings of the book, into the folder of --out; the first record that holds a case counts
     Book,
     /// A table and a configuration for Apache Otava, which finds change points
     Otava,
@@ -112,7 +112,7 @@ impl Export {
 }
 
 impl Export {
-    /// The chapter of the book on the cases.
+    /// The generated pages and drawings of the book.
     fn book(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
         let Some(folder) = &self.out else {
             return Err(Failure::BadInput(
@@ -122,11 +122,14 @@ impl Export {
         let records: Result<Vec<Record>, _> = { self.record.iter() }
             .map(|path| Record::read_joined(path))
             .collect();
-        let files = book::verification(&records.map_err(Failure::bad_input)?);
-        std::fs::create_dir_all(folder)
-            .map_err(|error| Failure::BadInput(format!("{}: {error}", folder.display())))?;
+        let files = book::files(&records.map_err(Failure::bad_input)?);
         for file in &files {
-            write(&file.text, Some(&folder.join(&file.path)), out)?;
+            let path = folder.join(&file.path);
+            if let Some(parent) = path.parent() {
+                std::fs::create_dir_all(parent)
+                    .map_err(|error| Failure::BadInput(format!("{}: {error}", parent.display())))?;
+            }
+            write(&file.text, Some(&path), out)?;
         }
         let pages = files.iter().filter(|file| file.path.ends_with(".md"));
         writeln!(out, "{} pages in {}", pages.count(), folder.display())?;

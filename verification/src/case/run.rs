@@ -4,7 +4,7 @@ use proctor_scene::simulation::{Options, Simulation};
 use proctor_scene::{OnImbalance, Scene};
 
 use super::gates::{GateRule, Runs, verdict};
-use super::value::{Build, Case, Solve};
+use super::value::{Build, Case, NO_WORD_OF_GUESTS, Solve};
 use super::wrong::{Reference, Wrong};
 use super::{CaseError, Rung, Size, Solved, Verdict};
 use crate::guest::Guest;
@@ -96,13 +96,12 @@ impl Case {
         names
     }
 
-    /// The reason why no other solver can run it, where none can.
+    /// The reason why no other solver can run it, where the case gives one.
     #[must_use]
-    pub const fn closed_to_guests(&self) -> Option<&'static str> {
-        match self.guest {
-            Ok(_) => None,
-            Err(reason) => Some(reason),
-        }
+    pub fn closed_to_guests(&self) -> Option<&'static str> {
+        self.guest
+            .err()
+            .filter(|reason| *reason != NO_WORD_OF_GUESTS)
     }
 
     /// The runs of a size: variant by variant, each coarse to fine.
