@@ -108,10 +108,10 @@ fn weighting(ordinate: &str, value: fn(f64, f64) -> f64) -> Chart {
 
 /// The phases of a step: where each acts, its name, and its result.
 const PHASES: [(bool, &str, &str); 6] = [
-    (true, "sort", "particles in the order of their cells"),
+    (true, "sort", "particles by cells"),
     (false, "map to nodes", "m_I, p_I, f_I"),
     (false, "choose the step", "dt"),
-    (false, "solve", "v_I, with contact and boundaries"),
+    (false, "solve", "v_I, with contact"),
     (true, "gather", "v_p, x_p, F_p and stress"),
     (true, "finish", "energy balance and clock"),
 ];

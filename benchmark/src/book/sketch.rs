@@ -10,7 +10,7 @@ const ROOM: [f64; 2] = [440.0, 260.0];
 /// Space around it.
 const MARGIN: f64 = 20.0;
 /// Cells along an axis from which on the lines of the mesh are left out.
-const MOST_LINES: usize = 64;
+const MOST_LINES: usize = 90;
 /// Corners of a circle.
 const CORNERS: usize = 48;
 
@@ -192,7 +192,7 @@ pub fn svg(scene: &Scene) -> Option<String> {
     let mesh = &scene.mesh;
     let mut lines = String::new();
     for (k, &axis) in plane.axes.iter().enumerate() {
-        if mesh.cells[axis] > MOST_LINES {
+        if plane.axes.iter().any(|&axis| mesh.cells[axis] > MOST_LINES) {
             continue;
         }
         for i in 0..=mesh.cells[axis] {
