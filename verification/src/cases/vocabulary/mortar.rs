@@ -1,4 +1,4 @@
-//! Parts of all mortar contact cases: boundaries that move with their particles, contact through a barrier, and the meth
+//! Parts of all mortar contact cases: boundaries that move with their particles, contact through a barrier, the method
 //! of Liang et al. 2024.
 
 use proctor_contact::geometry::mortar::boundary::Chain;
