@@ -193,7 +193,9 @@ impl<'a> Page<'a> {
         );
         for group in groups {
             if group.len() < MANY {
-                group.iter().for_each(|gate| text.push_str(&row(gate, "")));
+                for gate in &group {
+                    text.push_str(&row(gate, ""));
+                }
                 continue;
             }
             let nearest = |a: &&&GateDetail, b: &&&GateDetail| a.used().total_cmp(&b.used());

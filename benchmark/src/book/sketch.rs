@@ -29,10 +29,9 @@ impl Plane {
             size(a).total_cmp(&size(b))
         })?;
         let up = match (scene.dimension, steepest) {
-            (Dimension::Two, _) => 1,
             (Dimension::Three, axis) if axis > 0 && scene.gravity[axis] != 0.0 => axis,
             (Dimension::Three, _) if scene.mesh.cells[2] > 1 => 2,
-            (Dimension::Three, _) => 1,
+            _ => 1,
         };
         let axes = [0, up];
         let mesh = &scene.mesh;
