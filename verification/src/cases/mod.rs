@@ -80,9 +80,9 @@ macro_rules! list {
 
         /// The heads of the files of the cases, in the same order.
         pub(crate) static HEADS: &[&str] = &[$($({
-            let _ = stringify!($case);
             const SOURCE: &str = include_str!(concat!(stringify!($module), ".rs"));
             const HEAD: [u8; head::length(SOURCE)] = head::copy(SOURCE);
+            let _ = stringify!($case);
             head::text(&HEAD)
         }),+),+];
     };
