@@ -1,4 +1,4 @@
-//! How a verb ends, and the exit code that stands for it.
+//! The end of a verb, and the exit code that stands for it.
 
 use std::fmt::Display;
 use std::io;

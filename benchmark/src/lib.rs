@@ -3,6 +3,7 @@
 
 pub mod arena;
 pub mod bench;
+pub mod book;
 mod exit;
 pub mod frames;
 pub mod history;

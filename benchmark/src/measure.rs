@@ -40,7 +40,7 @@ pub fn busy(runs: impl IntoIterator<Item = Spent>) -> Option<f64> {
 /// Adds up the time of pieces of work.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Stopwatch {
-    /// The sum so far.
+    /// Time spent so far, summed over all pieces.
     pub spent: Spent,
 }
 

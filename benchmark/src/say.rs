@@ -1,4 +1,4 @@
-//! What the command says on standard error.
+//! Messages on standard error.
 
 /// Writes a line to standard error. A message that nobody can read, for standard error is closed or full, changes nothing:
 /// the exit code says how it went.

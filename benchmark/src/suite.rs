@@ -9,7 +9,7 @@ use std::sync::mpsc;
 use std::thread;
 use std::time::Duration;
 
-/// A run that takes longer by the clock is steady enough to be timed once.
+/// Clock time above which a run is timed once, because its time scatters little.
 const LONG: Duration = Duration::from_secs(1);
 /// What is measured of runs that are measured again, of [`MOST`] runs at most.
 const ENOUGH: Duration = Duration::from_millis(500);

@@ -1,4 +1,4 @@
-//! What a step asks of the allocator once a run is warm.
+//! Allocations of a step of a warm run.
 
 #[path = "common/mod.rs"]
 mod common;

@@ -1,4 +1,4 @@
-//! What there is of memory, from files like those of Linux.
+//! The memory of the machine, from files like those of Linux.
 
 use proctor_kernel::memory::{Memory, words};
 use std::fs;

@@ -1,4 +1,4 @@
-//! What a user chooses of the method, apart from the problem: the axes of a study of error against run time.
+//! The settings of the method, apart from the problem: the axes of a study of error against run time.
 
 use std::fmt;
 

@@ -41,7 +41,7 @@ impl<F: FnMut(f64)> Observer for F {
     }
 }
 
-/// Why a run ended that its observer stopped.
+/// The reason of a run that ended because its observer stopped it.
 pub const STOPPED: &str = "stopped";
 
 /// An error that is studied.

@@ -1,4 +1,4 @@
-//! What gates react to, on cases made up for it.
+//! The sensitivity of gates, on cases made up for it.
 
 use proctor_scene::simulation::Options;
 use proctor_verification::case::gates::Runs;

@@ -225,7 +225,7 @@ impl Earlier {
         (digest, row.filter(|_| self.before.has(&name, digest)))
     }
 
-    /// Names of all items that must be counted anew, those of features among them.
+    /// Names of all items that must be counted anew, features included.
     ///
     /// # Errors
     /// Where a scene is missing.

@@ -1,4 +1,4 @@
-//! What the machine can do at most: bandwidth by a triad, arithmetic by fused multiply-adds.
+//! The limits of the machine: bandwidth by a triad, arithmetic by fused multiply-adds.
 
 use proctor_kernel::lanes::{Backend, Kernel, Lanes, Selected};
 use std::hint::black_box;

@@ -1,4 +1,4 @@
-//! Which samples a configuration asks for.
+//! The samples of a configuration.
 
 use super::config::Config;
 use super::sample::{Kind, Work};

@@ -1,4 +1,4 @@
-//! What a session found, as tables: medians over the repetitions, and how far these lay apart.
+//! Tables of a session: medians over the repetitions, and their spread.
 
 use super::children::{Child, REFUSED};
 use super::machine::Peaks;
@@ -70,7 +70,7 @@ pub struct Report<'a> {
 }
 
 impl<'a> Report<'a> {
-    /// Over the rows of the record.
+    /// A table over the rows of the record.
     #[must_use]
     pub fn new(session: &'a Session, record: &'a Record) -> Self {
         Self { session, record }

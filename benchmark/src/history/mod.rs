@@ -104,7 +104,7 @@ impl Series {
         relative && (after - before).abs() <= ROUND_OFF
     }
 
-    /// 1 where more is better, -1 where less is; none where neither is.
+    /// Direction of improvement: 1 where a larger number is better, -1 where a smaller one is, none otherwise.
     #[must_use]
     pub fn direction(&self) -> Option<i8> {
         match self.better {
@@ -241,7 +241,7 @@ impl History {
         all
     }
 
-    /// For each record the numbers that the one before it lacks, and those of the one before it that it lacks.
+    /// For each record the numbers that are new since the record before it, and those that are gone since then.
     #[must_use]
     pub fn new_and_gone(&self) -> Vec<[usize; 2]> {
         let mut all = vec![[0; 2]; self.points.len()];

@@ -6,7 +6,7 @@ use super::time::{self, Pace, Time};
 use super::{Rules, noise};
 use crate::record::{CaseKey, Cases, Meaning, Series};
 
-/// What is said of a case.
+/// The verdict on a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CaseVerdict {
     /// It cannot be compared, or not in full.

@@ -1,4 +1,4 @@
-//! What differs between two rows of the same case, number by number and word by word.
+//! The differences between two rows of the same case, number by number and word by word.
 //!
 //! The kernel promises the same bits on every machine, so that nothing here knows of noise: two records of one program are
 //! equal, and what is not equal was changed.
@@ -113,7 +113,7 @@ impl Better {
     }
 }
 
-/// How something moved.
+/// The direction of a change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Moved {
     /// Not at all, bit by bit.

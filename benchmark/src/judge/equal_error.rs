@@ -1,4 +1,4 @@
-//! What accuracy costs, from the ladder of a record: time against error, both by their logarithms.
+//! The cost of an accuracy, from the ladder of a record: time against error, both by their logarithms.
 
 use crate::record::{CaseKey, Cases};
 use crate::statistics::median;

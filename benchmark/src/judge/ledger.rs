@@ -27,7 +27,7 @@ pub enum What {
 /// An accepted change.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Line {
-    /// Which record: `quick`, `full`, or empty for counts.
+    /// The kept record: `quick`, `full`, or empty for counts.
     pub ladder: String,
     /// Which case, as a comparison names it.
     pub case: String,

@@ -1,4 +1,4 @@
-//! Whether two records were measured under the same conditions.
+//! The conditions of two records: differences that make their times incomparable.
 
 use crate::record::Record;
 use serde_json::Value;

@@ -1,4 +1,4 @@
-//! Which runs make the chart of a case: lines of methods, points of refinement and sweeps.
+//! The runs of the chart of a case: lines of methods, points of refinement and sweeps.
 
 use proctor_scene::{DomainUpdate, StressScheme, TransferKind, Weighting};
 use proctor_verification::case::{Rung, Size};

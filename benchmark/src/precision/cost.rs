@@ -1,4 +1,4 @@
-//! What an accuracy costs: interpolation along lines of error against time, and the front of the best points.
+//! The cost of an accuracy: interpolation along lines of error against time, and the front of the best points.
 
 /// Error and run time \[s\] of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]

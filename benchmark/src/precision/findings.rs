@@ -1,4 +1,4 @@
-//! What a study says: what each accuracy costs, which combination is best, how fast errors fall.
+//! The findings of a study: the cost of each accuracy, the best combination, the orders of the errors.
 
 use super::choices::Line;
 use super::cost::{At, Cost, cost, pareto};

@@ -1,4 +1,4 @@
-//! How long some work still takes.
+//! The estimate of the time that is left.
 
 /// Share of an expectation that counts as if it had been measured, so that the first moments of a run cannot turn it over.
 const TRUSTED: f64 = 0.1;

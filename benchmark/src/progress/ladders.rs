@@ -1,4 +1,4 @@
-//! What the ladders of the cases took when they were last kept, so that the first estimate is one.
+//! Recorded run times of the ladders of the cases, for the first estimate of progress.
 
 use proctor_verification::case::Size;
 

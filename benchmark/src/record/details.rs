@@ -1,4 +1,4 @@
-//! What a record holds beside its flat rows: gates with their reasons, pictures, and plans, so that a page can be
+//! The details of a record beside its flat rows: gates with their reasons, pictures, and plans, so that a page can be
 //! made from the record alone.
 
 use super::key;
@@ -35,7 +35,7 @@ pub struct Details {
     pub refined: Vec<RefinedDetail>,
 }
 
-/// What a case asked and how it was judged.
+/// The question of a case and its judgement.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CaseDetail {
     /// Name of the case.
@@ -70,7 +70,7 @@ pub struct GateDetail {
     pub passed: bool,
 }
 
-/// Share of its bound from which on a gate that holds is shown as near to failing.
+/// Share of its bound above which a gate that holds is marked as near to failing.
 pub const NEAR: f64 = 0.95;
 
 impl GateDetail {

@@ -1,4 +1,4 @@
-//! Which cases a record holds, and how they ended, so that work can go on where it was stopped.
+//! The cases that a record holds, and how they ended, so that work can go on where it was stopped.
 
 use super::row::GATE;
 use super::{Kind, Record, Row};

@@ -1,4 +1,4 @@
-//! What a number of a row is, as its key says.
+//! The meaning of a number of a row, as its key says.
 
 use super::row::{GATE_BOUND, GATE_SIDE, GATE_VALUE, VERDICT};
 

@@ -1,4 +1,4 @@
-//! What was measured, as JSON in the shape of Google Benchmark: a context, and one flat row per run.
+//! Records of measurements, as JSON in the shape of Google Benchmark: a context, and one flat row per run.
 //!
 //! There is no NaN and no null: a counter without a finite value is left out.
 

@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-/// Gates that do not hold and are listed; the page has all.
+/// Largest number of failing gates that the summary lists; the page has all of them.
 const LISTED: usize = 20;
 
 /// End of a record: finished, failed or interrupted.

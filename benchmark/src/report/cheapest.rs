@@ -1,4 +1,4 @@
-//! Which method brings an error down to 1 % and to 0.1 % at the least cost, case by case, beside the default.
+//! The cheapest method for an error of 1 % and of 0.1 %, case by case, beside the default.
 
 use super::heat;
 use super::html::{Cell, Table, folded, paragraph};

@@ -7,7 +7,7 @@
 mod arena;
 mod cases;
 mod cheapest;
-mod gates;
+pub(crate) mod gates;
 mod glance;
 mod guests;
 mod heat;

@@ -1,4 +1,4 @@
-//! What changed since a base record: regressions and gains as tables and pictures, by the judge of `proctor compare`.
+//! The changes since a base record: regressions and gains as tables and pictures, by the judge of `proctor compare`.
 
 use super::gates;
 use super::html::{Pictures, Section, Table, folded, paragraph};

@@ -239,7 +239,7 @@ fn failing(word: &str, gates: &[GateDetail], out: &mut dyn Write) -> io::Result<
     Ok(())
 }
 
-/// What was found of a scene of the user's.
+/// The stability of one scene of the user.
 ///
 /// # Errors
 /// If `out` cannot be written.

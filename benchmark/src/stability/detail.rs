@@ -1,4 +1,4 @@
-//! What a record keeps of the map beside its flat rows, for the picture and the page.
+//! The stability map as a record stores it beside its flat rows, for the picture and the page.
 
 use super::extreme::ExtremeDetail;
 use super::run::{Done, Outcome};

@@ -1,4 +1,4 @@
-//! What is asked, and its runs, as many side by side as there are processors.
+//! The runs of the stability map, as many side by side as there are processors.
 
 use super::side_by_side::side_by_side;
 use crate::measure::{Spent, Stopwatch};

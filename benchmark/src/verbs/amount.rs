@@ -1,4 +1,4 @@
-//! How much a verb tells, as options of the command line.
+//! The verbosity of a verb, as options of the command line.
 
 use clap::Args;
 

@@ -1,5 +1,6 @@
 //! `proctor export`: a record in the shape of another tool.
 
+use crate::book;
 use crate::exit::{Failure, Outcome};
 use crate::history::{self, History};
 use crate::interrupt::Interrupt;
@@ -55,6 +56,8 @@ enum Shape {
     Badge,
     /// Cases for solvers that read no scene of ours: RECORD is the folder that is written
     Problems,
+    /// Generated pages and drawings of the book, into the folder of --out; the first record that holds a case counts
+    Book,
     /// A table and a configuration for Apache Otava, which finds change points
     Otava,
 }
@@ -71,6 +74,7 @@ impl Export {
             Shape::Summary => Format::Summary,
             Shape::Badge => Format::Badge,
             Shape::Problems => return self.problems(out),
+            Shape::Book => return self.book(out),
             Shape::Otava => {
                 let history = history::of_files(&self.record).map_err(Failure::bad_input)?;
                 return otava_files(&history, self.out.as_deref(), out);
@@ -78,7 +82,7 @@ impl Export {
         };
         let [path] = self.record.as_slice() else {
             return Err(Failure::BadInput(format!(
-                "found {} records; accepted: one, or a folder of passes; --format otava takes several",
+                "found {} records; accepted: one, or a folder of passes; --format otava and --format book take several",
                 self.record.len()
             )));
         };
@@ -103,6 +107,32 @@ impl Export {
         let interrupt = Interrupt::listen()?;
         let folders = problems::write(folder, interrupt.flag()).map_err(Failure::BadInput)?;
         writeln!(out, "{} problems in {}", folders.len(), folder.display())?;
+        Ok(Outcome::Fine)
+    }
+}
+
+impl Export {
+    /// The generated pages and drawings of the book.
+    fn book(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
+        let Some(folder) = &self.out else {
+            return Err(Failure::BadInput(
+                "--format book: found no --out; accepted: --out FOLDER, into which the pages are written".to_owned(),
+            ));
+        };
+        let records: Result<Vec<Record>, _> = { self.record.iter() }
+            .map(|path| Record::read_joined(path))
+            .collect();
+        let files = book::files(&records.map_err(Failure::bad_input)?);
+        for file in &files {
+            let path = folder.join(&file.path);
+            if let Some(parent) = path.parent() {
+                std::fs::create_dir_all(parent)
+                    .map_err(|error| Failure::BadInput(format!("{}: {error}", parent.display())))?;
+            }
+            write(&file.text, Some(&path), out)?;
+        }
+        let pages = files.iter().filter(|file| file.path.ends_with(".md"));
+        writeln!(out, "{} pages in {}", pages.count(), folder.display())?;
         Ok(Outcome::Fine)
     }
 }

@@ -1,4 +1,4 @@
-//! What a user is told of vertices of mortar contact that have left their body.
+//! Warnings of vertices of mortar contact that have left their body.
 
 use crate::command::support::{Desk, code, fixture, stderr, stdout};
 use serde_json::{Value, json};

@@ -1,4 +1,4 @@
-//! What a few bytes of input ask for is refused before it is taken: exit code 2, both numbers, nothing written.
+//! Requests for too much memory are refused before it is taken: exit code 2, both numbers, nothing written.
 
 use crate::command::support::{Desk, code, fixture, flying_block, stderr, stdout};
 use serde_json::{Value, json};

@@ -1,4 +1,4 @@
-//! What a run leaves behind, however it ends.
+//! The files that a run leaves behind, however it ends.
 
 use crate::command::support::{
     Desk, code, column, command, fixture, flying_block, leaving_block, methods, proctor, stderr,

@@ -1,4 +1,4 @@
-//! What CI says it left out, and the history of what is kept.
+//! The list of steps that CI left out, and the history of the kept numbers.
 
 use crate::command::support::{Desk, fixture};
 use serde_json::{Value, json};

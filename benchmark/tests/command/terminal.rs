@@ -1,4 +1,4 @@
-//! What is seen on a terminal: a line per case, the verdict, colour beside symbols, and no PASS of what was interrupted.
+//! The output on a terminal: a line per case, the verdict, colour beside symbols, and no PASS of what was interrupted.
 
 use crate::command::support::{Desk, code, command, proctor, stderr, stdout};
 use std::process::Output;

@@ -1,4 +1,4 @@
-//! How many threads may be asked for.
+//! The number of threads that a user may ask for.
 
 use crate::command::support::{Desk, code, flying_block, proctor, stderr};
 use serde_json::json;

@@ -64,6 +64,9 @@ fn how(arguments: &[&str]) -> How {
         ["run", scene, ..] if scene.starts_with("fixtures/scenes/speed/") => {
             How::Instead(&["plan", "fixtures/scenes/speed/block_1m.json"])
         }
+        ["export", "--format", "book", ..] => How::NotRun(
+            "the kept ladders are not there; tests/documents/book.rs compares the pages",
+        ),
         ["export", "--format", "problems", ..] => {
             How::NotRun("it runs every open case; tests/command/guest_bounds.rs judges frames")
         }
@@ -335,6 +338,17 @@ fn every_command_of_the_documents_runs() {
     for document in documents() {
         let commands = commands(&text_of(&document));
         if commands.is_empty() {
+            continue;
+        }
+        if document.starts_with("docs/src/verification/cases/") {
+            // Each case by its name; tests/cases.rs of the verification runs them.
+            for printed in commands {
+                let all = words(&printed.line);
+                let arguments = own(&all).unwrap_or_default();
+                if let Err(fault) = takes(&arguments) {
+                    faults.push(format!("{document}: {}\n  {fault}", printed.line));
+                }
+            }
             continue;
         }
         let desk = desk();

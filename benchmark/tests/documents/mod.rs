@@ -1,6 +1,7 @@
 //! Documents: their figures are those of the kept record, their commands exist, take their arguments and run,
 //! what they print of an output is in it, their links lead somewhere and their names are in the sources.
 
+mod book;
 mod commands;
 mod figures;
 mod found;

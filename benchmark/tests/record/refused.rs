@@ -1,4 +1,4 @@
-//! What is no record is refused with file, line and reason.
+//! Files that are no record are refused with file, line and reason.
 
 use super::read;
 use proctor_benchmark::record::Record;

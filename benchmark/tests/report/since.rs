@@ -1,4 +1,4 @@
-//! What changed since a base: regressions and gains that were made up, by the judge of `compare`.
+//! The changes since a base: regressions and gains that were made up, by the judge of `compare`.
 
 use super::made_up::{MadeUp, between};
 use proctor_benchmark::judge::{Rules, Verdict, compare_as_measured};

@@ -1,4 +1,4 @@
-//! What the steps of scenes of every kind ask of the allocator once they are warm: loads, bodies that are driven, a base that
+//! Allocations of the warm steps of scenes of every kind: loads, bodies that are driven, a base that
 //! moves, laws that yield, contact on the grid, of boundaries and on surfaces.
 
 use proctor_files::json;

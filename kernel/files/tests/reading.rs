@@ -1,4 +1,4 @@
-//! What is too large for the memory of the machine is not read.
+//! Files that are too large for the memory of the machine are not read.
 
 use proctor_files::reading::{NotUtf8, read_within, stream_to_string};
 use proctor_kernel::memory::Memory;

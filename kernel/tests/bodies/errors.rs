@@ -1,4 +1,4 @@
-//! What cannot be filled, and what is said about it.
+//! Bodies that cannot be filled, and their messages.
 
 use crate::bodies::support::Setting;
 use proctor_kernel::bodies::FillError;

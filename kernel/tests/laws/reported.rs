@@ -1,4 +1,4 @@
-//! What users of other codes reported of their laws, each a test here.
+//! Faults that users of other codes reported of their laws, each a test here.
 //!
 //! Where another test asks the same question it is named instead of copied:
 //!

@@ -1,4 +1,4 @@
-//! What holds of every law with a yield surface, whatever its values.
+//! Properties of the stress of every law with a yield surface, whatever its values.
 
 use crate::laws::support::{DENSITY, midpoint, numbers, tensor};
 use nalgebra::Matrix3;

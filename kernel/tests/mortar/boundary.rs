@@ -1,4 +1,4 @@
-//! What is a boundary and what is not; normals and areas.
+//! Boundaries, and lists of vertices that are none; normals and areas.
 
 use crate::mortar::support::{chain, moved, open, point};
 use proctor_contact::geometry::mortar::boundary::{Boundary, BoundaryError, BoundarySide};

@@ -1,4 +1,4 @@
-//! How vertices follow rotations and linear fields, in a full patch and beside empty nodes.
+//! The motion of vertices under rotations and linear fields, in a full patch and beside empty nodes.
 
 use crate::mortar::support::point;
 use nalgebra::Matrix2;

@@ -1,4 +1,4 @@
-//! What goes wrong is found in the step in which it happens, and named.
+//! Faults of a run are found in the step in which they happen, and named.
 
 use crate::common::{
     DIMENSIONS, NEO_HOOKEAN, NEVER, SCHEMES, block, body, cuboid, empty, first_error, material,

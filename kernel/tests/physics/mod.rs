@@ -1,4 +1,4 @@
-//! What simulations do: vibrate, settle, fall, push, break; and what they refuse.
+//! Simulations that vibrate, settle, fall, push and break; and those that are refused.
 
 mod absorbing;
 mod balance;

@@ -1,4 +1,4 @@
-//! What mortar contact refuses: starts that overlap or squeeze, vertices off their body, steps that leap; and the steps that
+//! Limits of mortar contact: starts that overlap or squeeze, vertices off their body, leaps; and the steps that
 //! it shortens before it must.
 
 use crate::common::{body, cuboid, elastic, empty, material, options, simulation};

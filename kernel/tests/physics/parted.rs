@@ -1,4 +1,4 @@
-//! What parts in the cycle: water without tension that splashes, sand that is dropped.
+//! Matter that parts in the cycle: water without tension that splashes, sand that is dropped.
 
 use crate::common::{APIC, body, cuboid, empty, material, options};
 use proctor_kernel::layout::Layout;

@@ -1,4 +1,4 @@
-//! Which bodies may meet before the next sort: the broad phase of contact on the grid.
+//! Bodies that may meet before the next sort: the broad phase of contact on the grid.
 
 use proctor_contact::pairs::Pair;
 use proctor_contact::pairs::broad::{near, reach};

@@ -1,4 +1,4 @@
-//! What holds for every scene, whatever the weighting function, the scheme and the dimension.
+//! Properties of every scene, whatever the weighting function, the scheme and the dimension.
 
 mod bits;
 mod conditions;

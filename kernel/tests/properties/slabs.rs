@@ -1,4 +1,4 @@
-//! How planes and particles are shared out among threads.
+//! The division of planes and particles among threads.
 
 use crate::common::{DIMENSIONS, body, cuboid, empty, options, run};
 use proctor_kernel::team::Team;

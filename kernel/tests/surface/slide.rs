@@ -1,4 +1,4 @@
-//! How the block on the slope slides, where it starts, and simulations of it.
+//! The block on the slope: its exact slide, where it starts, and simulations of it.
 
 use crate::surface::slope::Slope;
 use proctor_scene::simulation::{Options, Simulation};

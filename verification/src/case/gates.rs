@@ -212,6 +212,11 @@ impl GateRule {
         }
     }
 
+    /// Name of the quantity that is bounded.
+    pub(super) const fn quantity(&self) -> &'static str {
+        self.quantity
+    }
+
     /// An upper bound and its reason.
     #[must_use]
     pub const fn at_most(self, bound: f64, reason: &'static str) -> Self {

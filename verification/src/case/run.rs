@@ -3,8 +3,8 @@
 use proctor_scene::simulation::{Options, Simulation};
 use proctor_scene::{OnImbalance, Scene};
 
-use super::gates::{Runs, verdict};
-use super::value::{Build, Case, Solve};
+use super::gates::{GateRule, Runs, verdict};
+use super::value::{Build, Case, NO_WORD_OF_GUESTS, Solve};
 use super::wrong::{Reference, Wrong};
 use super::{CaseError, Rung, Size, Solved, Verdict};
 use crate::guest::Guest;
@@ -53,6 +53,55 @@ impl Case {
     #[must_use]
     pub const fn question(&self) -> &'static str {
         self.question
+    }
+
+    /// The description of the case at the head of its file, as Markdown: the question, the set-up, the source and what is expected.
+    #[must_use]
+    pub fn description(&self) -> String {
+        let mut all = crate::cases::ALL.iter().zip(crate::cases::HEADS);
+        let head = all.find(|(case, _)| case.name == self.name);
+        let lines = head.map_or("", |(_, head)| head).lines();
+        let plain = |line: &str| line.trim_start_matches("//!").trim_end().to_owned();
+        let lines: Vec<String> = lines
+            .map(|line| {
+                plain(line)
+                    .strip_prefix(' ')
+                    .map_or_else(String::new, str::to_owned)
+            })
+            .collect();
+        lines.join("\n")
+    }
+
+    /// Name of the file of the case below `verification/src/cases`.
+    #[must_use]
+    pub fn file(&self) -> &'static str {
+        let mut all = crate::cases::ALL.iter().zip(crate::cases::FILES);
+        let file = all.find(|(case, _)| case.name == self.name);
+        file.map_or("", |(_, file)| file)
+    }
+
+    /// Names of the quantities that its studies, tables and gates name, each once.
+    #[must_use]
+    pub fn named_quantities(&self) -> Vec<&'static str> {
+        let studied = self.studies.unwrap_or_default().iter();
+        let studied = studied.flat_map(|plan| plan.measures).map(|m| m.quantity);
+        let tables = self.tables.iter().flat_map(|table| table.names).copied();
+        let gates = self.gates.iter().map(GateRule::quantity);
+        let mut names: Vec<&'static str> = vec![];
+        for name in studied.chain(tables).chain(gates) {
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        }
+        names
+    }
+
+    /// The reason why no other solver can run it, where the case gives one.
+    #[must_use]
+    pub fn closed_to_guests(&self) -> Option<&'static str> {
+        self.guest
+            .err()
+            .filter(|reason| *reason != NO_WORD_OF_GUESTS)
     }
 
     /// The runs of a size: variant by variant, each coarse to fine.

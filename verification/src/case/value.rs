@@ -83,6 +83,9 @@ impl Plan {
     }
 }
 
+/// The default reason for which no other solver runs a case.
+pub(super) const NO_WORD_OF_GUESTS: &str = "the case says nothing of other solvers";
+
 /// The problem of a rung as other solvers can run it, or why there is none.
 pub(super) type GuestOf = fn(&Rung) -> Result<Guest, &'static str>;
 
@@ -140,7 +143,7 @@ impl Case {
             reference: Reference::CORRECT,
             studies: Err("the case names no path of refinement"),
             guest_path: None,
-            guest: Err("the case says nothing of other solvers"),
+            guest: Err(NO_WORD_OF_GUESTS),
         }
     }
 

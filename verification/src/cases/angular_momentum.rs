@@ -1,6 +1,6 @@
 //! How much of its angular momentum does a free body lose that spins?
 //!
-//! Source: verification notes, 5; Jiang et al. 2015. An elastic square spins about its centre for a turn, free of everything,
+//! Source: Jiang et al. 2015. An elastic square spins about its centre for a turn, free of everything,
 //! with corners at 2 % of the wave speed. With quadratic B-splines the moment of inertia of an affine velocity is that
 //! of a square of side h·sqrt(3), `m h²/4`, so that its angular momentum can be counted with that of the particles.
 //!

@@ -1,11 +1,11 @@
 //! Do errors fall at their order when particles cross many cells?
 //!
-//! Source: verification notes, A1 (Uintah's axis-aligned manufactured solution). Every line of a neo-Hookean square or
+//! Source: Uintah's axis-aligned manufactured solution. Every line of a neo-Hookean square or
 //! cube between rollers stretches along itself, driven by the body force that makes it a motion. With an amplitude
 //! of 5 % of the side (`large`) particles cross up to one cell in eight of the mesh and domains stretch by 16 %; with
 //! 1e-4 (`small`) nothing crosses.
 //!
-//! Expected (notes, 1b): order 2 of uGIMP without crossing; cpGIMP at least 1.7 in the displacement with it, 1.0 to
+//! Expected: order 2 of uGIMP without crossing; cpGIMP at least 1.7 in the displacement with it, 1.0 to
 //! 1.8 in the stress, with dt like h². uGIMP and B-splines stall with crossing, and linear functions diverge: that is
 //! for `proctor precision axis-aligned` to show. `proctor verify axis-aligned axis-aligned-3d`.
 

@@ -1,6 +1,6 @@
 //! Does an elastic bar swing with its own period, amplitude and stress?
 //!
-//! Source: verification notes, A4. A bar of 25 m (E = 100 Pa, 1 kg/m³, so c = 10 m/s), fixed at one end and free at
+//! Source: the first mode of the wave equation. A bar of 25 m (E = 100 Pa, 1 kg/m³, so c = 10 m/s), fixed at one end and free at
 //! the other, starts with the velocity of its first mode. The exact solution is linear; a speed of 1e-4 c keeps the
 //! bar within 1e-4 of it, and no particle crosses a cell. Compared after nine eighths of a period, when displacement
 //! and stress are both large.

@@ -1,6 +1,6 @@
 //! Does a bar keep its energy over ten periods, with each scheme, transfer and weighting function?
 //!
-//! Source: verification notes, 5b. A neo-Hookean bar, held at one end, free at the other, starts with the velocity of its
+//! A neo-Hookean bar, held at one end, free at the other, starts with the velocity of its
 //! first mode, 10 % of the wave speed (`large`), so that particles cross cells, or 1e-4 of it (`small`). Nothing takes
 //! energy from it and its law gives all of it back: what it has after ten periods, 40 times the way of a wave along it, is
 //! what it had. The kinetic energy at the time of the stress is the mean of half a step before and after.

@@ -2,7 +2,7 @@
 //!
 //! Source: technical manual, section 20.2. The manual compares the particles at the base with the record, that is,
 //! what was imposed with itself; this is kept (`text`, `input`). What judges the code is the whole column's exact
-//! response (verification notes, section 3) to a base that moves along the column between rollers: `p-wave`, the
+//! response to a base that moves along the column between rollers: `p-wave`, the
 //! manual's sine at 15 Hz, and `smooth`, which starts without a jump and so shows the full order.
 //!
 //! The sine has the manual's 0.3 m/s: the base moves 6 mm and takes the mesh with it. `linear` repeats it with a

@@ -1,6 +1,6 @@
 //! Does the elastic box under a surface load settle as the exact solution of the box says?
 //!
-//! Source: technical manual, section 20.1, with the exact finite box (verification notes, section 2) in the place
+//! Source: technical manual, section 20.1, with the exact finite box in the place
 //! of the half-space. A cube of 1 m on rollers at five faces carries 1 N at the middle of its free top: on a
 //! square of 0.25 m (`patch`, aligned with the cells from 1/8 on) or on one node (`node`).
 //!

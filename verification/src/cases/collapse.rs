@@ -1,6 +1,6 @@
 //! How far does a column come that is let go: of sand, and of water?
 //!
-//! Source: Lube et al. 2005 (Phys. Rev. E 72, 041301), soil notes, 3.4. A column of dry sand in plane strain, d wide and H high,
+//! Source: Lube et al. 2005 (Phys. Rev. E 72, 041301). A column of dry sand in plane strain, d wide and H high,
 //! stands at a smooth wall on rough ground and loses its other wall at once. What experiments found depends on H/d alone:
 //! the heap reaches 1.2 H/d widths farther up to 1.8, 1.9 (H/d)^(2/3) beyond 2.8, and is as high as the column up to 1.15,
 //! (H/d)^0.4 widths beyond. That is an experiment, not an exact answer, and shown beside what comes out; judged are the books of

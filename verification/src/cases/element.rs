@@ -1,6 +1,6 @@
 //! Do the laws give their exact answers at a material point, whatever the state that they return?
 //!
-//! Source: soil notes, 2.1 to 2.7. No grid takes part: the kernel's own law strains one point along a path whose answer has a
+//! No grid takes part: the kernel's own law strains one point along a path whose answer has a
 //! closed form (`exact/two_slopes.rs`, `exact/material_point.rs`). Where the direction of flow stays, an implicit return is
 //! exact for any step; elsewhere it is of order 1. Beside the paths each law returns random states far outside its surface, and
 //! those of a list of corners: the stress must lie on the surface, stay there when asked again, turn with the axes, dissipate, and

@@ -1,6 +1,6 @@
 //! Do fluids rest, sound and flow as their closed forms say?
 //!
-//! Source: soil notes, 2.5 and rank 5 of 3; exact solutions in `exact/channel.rs`, `exact/sound.rs` and
+//! Source: exact solutions in `exact/channel.rs`, `exact/sound.rs` and
 //! `exact/self_weight.rs`. Four problems:
 //!
 //! - *rest*: a column of water that its weight compresses by a hundredth, at rest: the pressure is the weight above.

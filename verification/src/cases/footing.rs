@@ -1,6 +1,6 @@
 //! What does ground carry below a strip footing, and does it lock without means over cells?
 //!
-//! Source: soil notes, 3.2; exact loads in `exact/bearing.rs`. Half of a footing of the width B in plane strain stands on
+//! Exact loads stand in `exact/bearing.rs`. Half of a footing of the width B in plane strain stands on
 //! ground without weight, which is elastic and perfectly plastic with flow normal to its surface. Nodes at the surface up to
 //! x = B/2 are pressed down and held across: the footing is rough (*smooth*: they slide; the exact load is the same). What
 //! they need is its load. They go from rest to rest as 10 s³ - 15 s⁴ + 6 s⁵, and the load is read when they have come to

@@ -1,6 +1,6 @@
 //! Does a specimen in the tests of the laboratory have the stress and the volume of its law, through the whole cycle?
 //!
-//! Source: soil notes, 2.1 to 2.3. A square or a cube stands on a roller between rollers and is pressed from above by a
+//! A square or a cube stands on a roller between rollers and is pressed from above by a
 //! smooth plane. In the oedometer there are rollers all round; in biaxial (plane strain) and triaxial compression the sides
 //! opposite to the rollers are free, or bear a constant pressure that the specimen has within from the start. Stress and
 //! strain are the same everywhere, so that each particle is compared with the path of its law (`exact/homogeneous.rs`).

@@ -1,6 +1,6 @@
 //! Does a block slide down an incline with the acceleration that Coulomb's law gives, and stick where it should?
 //!
-//! Source: contact manual, section 2.1, and verification notes, section 4. The frame is that of the incline: gravity is
+//! Source: contact manual, section 2.1. The frame is that of the incline: gravity is
 //! 7.07 m/s² along x and into the base, 45 degrees.
 //!
 //! What judges is the *settled* scene: a block of 10 m x 2 m on a held base is relaxed under the gravity normal to it,

@@ -27,6 +27,7 @@ mod fluid;
 mod footing;
 mod grains;
 mod half_space;
+mod head;
 mod hertz;
 mod hertz_slab;
 mod hertz_sphere;
@@ -84,6 +85,20 @@ macro_rules! list {
 
         /// All cases, in the order in which they are shown.
         pub(crate) static ALL: &[&Case] = &[$($(&$module::$case),+),+];
+
+        /// The names of the files of the cases, in the same order.
+        pub(crate) static FILES: &[&str] = &[$($({
+            let _ = stringify!($case);
+            concat!(stringify!($module), ".rs")
+        }),+),+];
+
+        /// The heads of the files of the cases, in the same order.
+        pub(crate) static HEADS: &[&str] = &[$($({
+            const SOURCE: &str = include_str!(concat!(stringify!($module), ".rs"));
+            const HEAD: [u8; head::length(SOURCE)] = head::copy(SOURCE);
+            let _ = stringify!($case);
+            head::text(&HEAD)
+        }),+),+];
     };
 }
 

@@ -1,6 +1,6 @@
 //! Does a plane wave in a solid that yields run with two speeds, and dissipate what it should?
 //!
-//! Source: soil notes, 3.1 (simple waves of a bilinear solid in uniaxial strain). A strip between rollers is compressed
+//! Source: simple waves of a bilinear solid in uniaxial strain. A strip between rollers is compressed
 //! at one end by a load that rises smoothly to three times the limit: what is below the limit runs ahead with c_e, the
 //! rest follows with c_p. One variant for each law with a yield surface. Compared before the first wave arrives at the end.
 //!

@@ -1,6 +1,6 @@
 //! Does a spinning block turn as a rigid body?
 //!
-//! Source: verification notes, A9, without the prestress, which a free block could not hold. An elastic square spins
+//! An elastic square spins
 //! about its centre for half a turn, free of everything, its edges and particles crossing the mesh in all directions.
 //! A rigid motion is exact but for the centrifugal stretch, of order (w R/c)²: corners at 1 % of the wave speed keep
 //! it at 1e-4.

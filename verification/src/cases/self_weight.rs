@@ -1,6 +1,6 @@
 //! Does a soft column settle under its own weight to its exact height and stress?
 //!
-//! Source: verification notes, A5 (the column of AMPLE and of many MPM papers). A neo-Hookean column between rollers,
+//! Source: the column of AMPLE and of many MPM papers. A neo-Hookean column between rollers,
 //! load number S = rho g H/M = 0.4, comes to rest by dynamic relaxation; its top sinks by a sixth of its height, so
 //! that most particles have changed their cell when they are judged. Neo-Hookean, because then the answer does not
 //! depend on the way.

@@ -1,6 +1,6 @@
 //! Does the stress follow shear and ten turns as its objective rate says?
 //!
-//! Source: verification notes, A8 and A9. All nodes move as the exact motion does, so that particles cross cells,
+//! All nodes move as the exact motion does, so that particles cross cells,
 //! velocity gradients are those of the motion, and what is left is the law: simple shear to gamma = 3 from a state
 //! without stress, and ten turns of a stressed block, in the plane and in space.
 //!

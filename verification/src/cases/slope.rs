@@ -1,6 +1,6 @@
 //! Where does a slope come to rest that fails and softens, and does the mesh decide it?
 //!
-//! Source: soil notes, 4.5. A bank of clay, 5 m high at 45° on rough rigid ground, is cut at once out of ground in which all
+//! A bank of clay, 5 m high at 45° on rough rigid ground, is cut at once out of ground in which all
 //! stresses are those of its weight. It is too steep for its strength, which falls to a third as it is sheared, and runs out.
 //! Nothing exact is known of that, and the books of `run_out.rs` are what is judged. Shown is how far it comes against the
 //! cell size, and five frames with the cells that are sheared by a half or more.

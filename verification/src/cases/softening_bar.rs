@@ -1,6 +1,6 @@
 //! What does a band take that softens, and does the mesh decide it?
 //!
-//! Source: soil notes, 4.1 and 4.2. A bar in uniaxial strain without Poisson's ratio is drawn at one end, slowly against its
+//! Source: the crack band of Bazant and Oh 1983. A bar in uniaxial strain without Poisson's ratio is drawn at one end, slowly against its
 //! waves; its middle is 2 % weaker and parts. The law is the tension of Mohr and Coulomb that falls along a line.
 //!
 //! - *crack band*: softening scales with the cell, and the band is the weak cell: it takes the fracture energy.

@@ -1,6 +1,6 @@
 //! Does the stress of a body that has yielded turn with it, without any more yielding?
 //!
-//! Source: soil notes, 2.1 and rank 6 of section 3. A block is strained until it has yielded, by a velocity gradient whose
+//! A block is strained until it has yielded, by a velocity gradient whose
 //! principal axes are none of the mesh, and then spun as a rigid body: in the plane about z, in space about an axis that is
 //! none of the mesh. All nodes move as prescribed, as in *shear-and-turn*; a body that spins freely would not be in
 //! equilibrium with one stress.

@@ -1,6 +1,6 @@
 //! Is USF of order 2 where velocity and strain start half a step apart, and of order 1 where they do not?
 //!
-//! Source: verification notes, 1b: a bar between walls, stretched along itself by up to 16 % (A2), cpGIMP with USF at a
+//! A bar between walls, stretched along itself by up to 16 % (A2), cpGIMP with USF at a
 //! constant Courant number. The stress of USF belongs to the end of a step and its velocity to the middle. A start that
 //! takes both at t = 0, as published algorithms do, strains the body once before anything has moved: the stress is ahead
 //! by a step for good, an error of order 1 that linear theory foretells.

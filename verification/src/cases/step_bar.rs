@@ -1,6 +1,6 @@
 //! Does a front run with c, double at a wall, and throw a bar back from one?
 //!
-//! Source: verification notes, A7 (d'Alembert). A bar held at one end is pressed at the other from t = 0 (`pressed`):
+//! Source: d'Alembert's waves. A bar held at one end is pressed at the other from t = 0 (`pressed`):
 //! the front arrives where and when it should, what it has passed moves with p/(rho c), and the held end feels 2 p. A
 //! bar that runs into a driven body at rest (`thrown`) presses on it with rho c v for 2 L/c and leaves with its speed
 //! turned round. Strains are 1e-4: nothing crosses cells.

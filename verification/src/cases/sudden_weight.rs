@@ -1,6 +1,6 @@
 //! Does a column that is let go swing to twice its weight?
 //!
-//! Source: verification notes, A6. Gravity acts from t = 0 on a column at rest between rollers. The pressure on its base
+//! Gravity acts from t = 0 on a column at rest between rollers. The pressure on its base
 //! rises in a straight line to 2 rho g H and falls again, with the period 4 H/c; its top sinks to twice the static
 //! displacement. Strains are 1e-4, and no particle crosses a cell. Compared over one period, in which the front that
 //! leaves the base passes the column four times.

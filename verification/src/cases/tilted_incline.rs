@@ -3,7 +3,7 @@
 //!
 //! The plane falls at 30 degrees, given as an STL text; gravity is vertical. In the ladder of plane strain the mesh is
 //! one cell wide between sliding planes and the plane falls along x; *turned*, it falls at 33 degrees to x and nothing
-//! is aligned with the mesh. Source: issue list of contact; verification notes, section 4 (6).
+//! is aligned with the mesh.
 //!
 //! A block of 2 m x 0.5 m is held by a rough plane, settles under its weight with local damping, and is *released*:
 //! damping ends and friction becomes mu. From then on every part of the base slips at once and the acceleration of the

@@ -1,6 +1,6 @@
 //! Do errors fall at their order where a body shears and turns at once?
 //!
-//! Source: verification notes, A3 (the generalized vortex). Rings of a neo-Hookean body turn, each by its own angle,
+//! Source: the generalized vortex. Rings of a neo-Hookean body turn, each by its own angle,
 //! driven by the body force that makes it a motion. The body fills the whole mesh and is at rest outside the rings: no
 //! edge crosses cells, which a staircase of particles would follow to first order. With an angle of 0.2 particles move by
 //! up to 0.2 m and shear by up to 1.6 (`large`); with 1e-4 nothing crosses (`small`).
@@ -9,7 +9,7 @@
 //! the other, which is a staircase again, now of the load: the error stalls at 1 % even where nothing crosses. A cube has
 //! none, and orders are judged with it.
 //!
-//! Expected (notes, 1b): order 2 of uGIMP without crossing; with it at most 1 to 2. Rectangular domains cannot follow a
+//! Expected: order 2 of uGIMP without crossing; with it at most 1 to 2. Rectangular domains cannot follow a
 //! body that turns and shears: cpGIMP takes them from the diagonal of U here; from that of F, which this kernel does not
 //! offer, they would collapse. So it is stated what its order is (`large cpGIMP`), and judged with B-splines. With an angle
 //! of 1 rad, as published, U stretches domains beyond a cell and the run would stop. Both run with APIC, MUSL and three

@@ -1,6 +1,6 @@
 //! Does a column that yields under its own weight come to rest with the right stresses and settlement?
 //!
-//! Source: soil notes, 2.1 and 2.2 (confined compression). A column between rollers stands under its own weight. Down to
+//! A column between rollers stands under its own weight. Down to
 //! a depth it is elastic, below it yields: the vertical stress is the weight above in any case, the lateral one is on the
 //! yield surface (for Mohr and Coulomb the active pressure K_a q - 2 c sqrt(K_a)), and the column is softer there.
 //!

@@ -86,7 +86,7 @@ impl<const N: usize, T: Scalar> Jet<N, T> {
         jet
     }
 
-    /// A function of this number, of its value and its derivative there.
+    /// A function of this number, by its value and its derivative there.
     #[inline]
     fn chain(self, value: T, derivative: T) -> Self {
         Self {

@@ -30,7 +30,7 @@ pub fn sheared(gamma: f64) -> PlaneStress {
     [xx, -xx, sin(gamma)]
 }
 
-/// The same as an update gives it in equal steps.
+/// The same as an update in equal steps computes it.
 #[must_use]
 pub fn sheared_by(update: Update, gamma: f64, steps: u32) -> PlaneStress {
     let increment = gamma / f64::from(steps);

@@ -20,7 +20,7 @@ pub struct PlasticWave {
     pub solid: TwoSlopes,
     /// Density, kg/m^3.
     pub density: f64,
-    /// Load Q that is reached, Pa, compression positive.
+    /// Final load Q, Pa, compression positive.
     pub load: f64,
     /// Time t_r in which it is reached, s.
     pub rise: f64,

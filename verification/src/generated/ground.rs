@@ -120,7 +120,7 @@ fn weigh(dice: &mut Dice, column: &mut Column) -> f64 {
     weight
 }
 
-/// The column under its weight; so many cells at the surface and at the base are left out.
+/// The column under its weight; the given numbers of cells at the surface and at the base are left out.
 fn judged(dice: &mut Dice, mut column: Column, weight: f64, surface: f64, base: f64) -> Trial {
     let (h, up) = (column.h(), column.up());
     let (bottom, top) = (column.faces[0], column.top());

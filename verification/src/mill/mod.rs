@@ -47,7 +47,7 @@ impl Answer {
     }
 }
 
-/// Draws the problem of that number and runs it; all reasons where none of its draws has a solution.
+/// Draws the problem of that number and runs it.
 ///
 /// # Errors
 /// The reasons for which all draws were refused.

@@ -30,7 +30,7 @@ pub struct Choice {
 /// Shape of a body. Small and thin ones weigh little at the nodes that carry them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
-    /// A square or a cube of so many quarters of a cell.
+    /// A square or a cube; its side in quarters of a cell.
     Block(u8),
     /// One particle thick, three cells along the other axes.
     Plate,

@@ -1,4 +1,4 @@
-//! What the kernel holds, against a sample that is measured anew.
+//! The table that the kernel holds, against a sample that is measured anew.
 
 use proctor_scene::plan::AUTOMATIC_SHARE;
 use proctor_scene::{Dimension, StressScheme, TransferKind, Weighting};

@@ -35,7 +35,7 @@ pub struct Calibration {
     /// Steps by which the velocities in a frame are ahead of its particles, where it has velocities: half a step behind
     /// with a leapfrog that starts by half a kick.
     pub velocity_ahead: Option<f64>,
-    /// Steps by which the fall is ahead of that of a leapfrog: one where the first kick is whole.
+    /// Number of steps by which the fall leads that of a leapfrog; it is one where the first kick is a whole one.
     pub fall_ahead: f64,
 }
 

@@ -1,4 +1,4 @@
-//! How far the last frame of a solver is from the exact solution, or from another frame.
+//! The distance of the last frame of a solver from the exact solution, or from another frame.
 
 use crate::bench::scenes::Exact;
 use crate::frames::Frame;

@@ -1,4 +1,4 @@
-//! What the frames of a free fall say, against what they should.
+//! Findings from the frames of a free fall, compared with their exact values.
 
 use super::calibration::{CELL, CELLS, GRAVITY, PER_CELL, STEP, STEPS, VELOCITY};
 use crate::bench::config::TimeLabel;

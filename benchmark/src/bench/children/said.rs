@@ -1,4 +1,4 @@
-//! What a process said: its two outputs, kept in files beside its results, and their ends for a message.
+//! The output of a process: its two streams, kept in files beside its results, and their ends for a message.
 
 use std::fs::File;
 use std::io::{Read, Seek, SeekFrom};

@@ -244,7 +244,7 @@ impl<'a> Check<'a> {
         }
     }
 
-    /// Words of a list that a key of scene files accepts.
+    /// The entries of a list, each of which must be a word that this key of scene files accepts.
     fn words(&mut self, key: &str, list: Option<&OneOrMany<String>>) -> Vec<Option<String>> {
         let Some(list) = list.filter(|list| !list.0.is_empty()) else {
             self.defaults

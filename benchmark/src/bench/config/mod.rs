@@ -1,4 +1,4 @@
-//! What is to be measured: a configuration file, read like a scene file, into checked values.
+//! The configuration of measurements: a file, read like a scene file, into checked values.
 //!
 //! What is missing takes its default; [`Config::defaults`] says which did, for `--log`.
 
@@ -53,7 +53,7 @@ pub struct Executable {
     pub warm_up: bool,
     /// Its method, in words for tables; none where its configuration does not say.
     pub method: Option<String>,
-    /// Keys of the method that take the place of those of each scene that it gets.
+    /// Keys of the method, which replace those of each scene that it runs.
     pub scene: Map<String, Value>,
 }
 

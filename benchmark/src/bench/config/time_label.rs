@@ -1,4 +1,4 @@
-//! What the time of a frame means.
+//! The meaning of the time of a frame.
 
 /// What a solver's time label of a frame says of the particles in it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

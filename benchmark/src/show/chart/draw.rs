@@ -65,7 +65,7 @@ impl Layout {
     }
 }
 
-/// The chart as an SVG document. Writing to a string cannot fail, so its results are not looked at.
+/// The chart as an SVG document. Writing to a string cannot fail, so its results are ignored.
 pub fn svg(chart: &Chart) -> String {
     let points = || chart.series.iter().flat_map(|s| &s.points);
     let has_bars = chart.series.iter().any(|s| s.mark == Mark::Bar);

@@ -1,4 +1,4 @@
-//! What a run prints when it is over.
+//! The report that a run prints at its end.
 
 use crate::measure::{self, Spent};
 use crate::show::{columns, filled, grouped, number, seconds};
@@ -26,7 +26,7 @@ pub struct Report<'a> {
     pub summary: &'a Summary,
     /// How often each bound ruled the time step.
     pub bounds: &'a BTreeMap<&'static str, u64>,
-    /// Steps that lie before a restart.
+    /// Number of steps before the restart; zero without one.
     pub first_step: u64,
     pub folder: Option<&'a Path>,
 }

@@ -1,4 +1,4 @@
-//! What is run again: the cases that an earlier record lacks, or that failed in it.
+//! The cases that are run again: those that an earlier record lacks, or that failed in it.
 
 use crate::exit::Failure;
 use crate::record::{CaseState, Record};

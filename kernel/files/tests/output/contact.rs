@@ -1,4 +1,4 @@
-//! What a scene with contact leaves behind: forces in the history, grid frames, checkpoints that keep the bits.
+//! The output of a scene with contact: forces in the history, grid frames, checkpoints that keep the bits.
 
 use std::fs;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! What an earlier run left: taken away where its lists name it, refused where nobody names it.
+//! The files of an earlier run: taken away where its lists name them, refused where nobody names them.
 
 use std::fs;
 

@@ -1,4 +1,4 @@
-//! What a run leaves behind is what the simulation says: the whole state in the checkpoint, the steps in the summary, the
+//! The files of a run agree with the simulation: the whole state in the checkpoint, the steps in the summary, the
 //! values of particles in frames and history.
 
 use std::fs;

@@ -1,4 +1,4 @@
-//! What a scene with a body that yields leaves behind beside others: where the work of its strain went.
+//! The output of a scene with a body that yields, beside others: where the work of its strain went.
 
 use std::fs;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! What is said of the keys, held against what the reader does with them.
+//! The explanations of the keys agree with what the reader does with them.
 
 use std::ops::Bound;
 

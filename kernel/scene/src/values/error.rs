@@ -1,4 +1,4 @@
-//! What is wrong with a scene: all problems at once, each with its path and, where it came from a file, its
+//! The problems of a scene: all of them at once, each with its path and, where it came from a file, its
 //! place there.
 
 use std::fmt;

@@ -1,4 +1,4 @@
-//! What of a slave is covered, by which master, and how far away.
+//! The projection of a slave: the part that is covered, its master, and the distance.
 
 use super::support::{ball, ceiling, floor, moved, point};
 use crate::common::cases;

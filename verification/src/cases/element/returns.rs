@@ -1,4 +1,4 @@
-//! What must hold of any stress that a law returns, whatever it was before.
+//! Properties of any stress that a law returns, whatever it was before.
 
 use super::{DENSITY, POISSON, YOUNG};
 use proctor_laws::Point;

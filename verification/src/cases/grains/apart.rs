@@ -1,4 +1,4 @@
-//! Whether grains keep apart: no vertex in another grain, none beyond plate, floor or walls.
+//! The gap between grains: no vertex in another grain, none beyond plate, floor or walls.
 //!
 //! Found from where the vertices are, without the gaps of the contact.
 

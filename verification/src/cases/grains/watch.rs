@@ -1,4 +1,4 @@
-//! What a run of the grains is summed up to, step by step.
+//! The sums over a run of the grains, step by step.
 
 use super::apart::{self, Polyline, Room};
 use super::{FLOOR, GAP, PLATE, SPEED, WALLS};

@@ -1,4 +1,4 @@
-//! How far the disk should turn on its way, and how far from that a mesh may leave it.
+//! The turn of the disk on its way, and how far from that a mesh may leave it.
 
 use super::{
     DENSITY, GAP, GRAVITY, INCLINATION_DEGREES, KAPPA, KAPPA_T, POISSON, RADIUS, RATIO, YOUNG,

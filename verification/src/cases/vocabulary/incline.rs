@@ -3,7 +3,7 @@
 //! What goes before the release is not judged: gravity acts normal to the base, nothing rubs, local damping takes the
 //! motion out of the blocks, which start with the stress of their weight. At the release damping ends and gravity and
 //! friction are those of the scene, so that the force on the base is the weight from the first step on and what is
-//! left to judge is friction (verification notes, section 4). An incline may be tilted before: friction acts and
+//! left to judge is friction. An incline may be tilted before: friction acts and
 //! gravity along it grows, so slowly that the blocks do not swing.
 
 use std::sync::Arc;

@@ -1,4 +1,4 @@
-//! What cases of mortar contact share: boundaries that move with their particles, contact through a barrier, and the method
+//! Parts of all mortar contact cases: boundaries that move with their particles, contact through a barrier, the method
 //! of Liang et al. 2024.
 
 use proctor_contact::geometry::mortar::boundary::Chain;

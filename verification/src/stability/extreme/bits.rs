@@ -1,4 +1,4 @@
-//! What must not change a bit: rest, a far origin, threads, the order of particles, a restart; and numbers so small that the
+//! Changes that must move no bit: rest, a far origin, threads, particle order, a restart; and numbers so small that the
 //! processor has few digits for them.
 
 use std::sync::Arc;

@@ -35,7 +35,7 @@ pub static ROWS: &[Extreme] = &[Extreme {
 pub(super) struct Fall {
     /// Momentum that neither weight nor contact gave, over that of all particles.
     lost: f64,
-    /// Sideways impulse over that upwards.
+    /// Sideways impulse over upward impulse.
     sideways: f64,
     /// Largest pull over the largest push.
     pull: f64,

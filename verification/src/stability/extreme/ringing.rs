@@ -1,4 +1,4 @@
-//! What the grid does not see: stresses that give no force, and cells that are crossed at a creep.
+//! Motions that the grid does not see: stresses that give no force, and cells that are crossed at a creep.
 
 use std::sync::Arc;
 

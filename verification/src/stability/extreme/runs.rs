@@ -1,4 +1,4 @@
-//! What rows of free bodies share: scenes, methods, runs, and what is read of them. Cells are 1 m and densities 1 kg/m³
+//! Parts of all rows of free bodies: scenes, methods, runs and readings. Cells are 1 m and densities 1 kg/m³
 //! where a row does not say otherwise.
 
 use std::fmt;

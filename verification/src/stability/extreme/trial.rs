@@ -1,4 +1,4 @@
-//! What rows share: open scenes of the plane, and runs in which any error is one that should not come.
+//! The common parts of rows: open scenes of the plane, and runs in which any error is one that should not come.
 
 use proctor_laws::LinearElastic;
 use proctor_scene::simulation::{InitialField, Options, Simulation, StepInfo};

@@ -1,4 +1,4 @@
-//! What becomes of a text: a scene that steps, or a message. Nothing else.
+//! The outcome of a text: a scene that steps, or a message. Nothing else.
 
 use super::bases::FOLDER;
 use proctor_files::json::from_json;
