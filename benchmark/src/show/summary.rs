@@ -401,7 +401,9 @@ mod tests {
         let [first, third] = [0, 2].map(|number| case::all()[number].name());
         assert_eq!(
             String::from_utf8(text).expect("text"),
-            format!("✓ 2 more cases, 2 of 2 gates, each within 50 % of its bound: {first},\n  {third}\n")
+            format!(
+                "✓ 2 more cases, 2 of 2 gates, each within 50 % of its bound: {first},\n  {third}\n"
+            )
         );
         let mut none = vec![];
         lines.far(all[1..2].iter(), &mut none).expect("written");
