@@ -50,21 +50,23 @@ fn what_round_off_or_damping_decided_holds() {
     }
 }
 
-/// Scenes whose rows are off at the end of the run: plans warn of the first four, and the run of the last tells that it does not rest.
+/// Scenes whose rows are off at the end of the run: plans warn of the first five, and the runs of the others tell that they do not rest.
 #[test]
 fn rows_that_are_off_are_foreseen_or_told() {
-    for (seed, number) in [(1, 215), (1, 341), (1, 2227), (4, 8045)] {
+    for (seed, number) in [(1, 215), (1, 341), (1, 2227), (1, 3473), (4, 8045)] {
         let answer = generated::answer(seed, number);
         assert!(answer.deviates(), "{seed} {number}: {:?}", answer.worst());
         assert!(answer.foreseen && !answer.violates(), "{seed} {number}");
     }
-    let answer = generated::answer(2, 320);
-    assert!(
-        answer.deviates() && !answer.foreseen,
-        "{:?}",
-        answer.worst()
-    );
-    assert!(answer.told && !answer.violates());
+    for (seed, number) in [(2, 320), (2, 2140), (2, 3617), (4, 6116)] {
+        let answer = generated::answer(seed, number);
+        assert!(
+            answer.deviates() && !answer.foreseen,
+            "{seed} {number}: {:?}",
+            answer.worst()
+        );
+        assert!(answer.told && !answer.violates(), "{seed} {number}");
+    }
 }
 
 #[test]

@@ -14,7 +14,7 @@ use std::fmt::Write as _;
 
 /// The line that every page has first: who wrote it.
 const WRITTEN: &str =
-    "<!-- Written by `proctor export --format book`. Change the case, not this page. -->\n\n";
+    "<!-- Written by the program (export --format book). Change the case, not this page. -->\n\n";
 
 /// Folder of the pages of the cases below the sources of the book.
 const CASES: &str = "verification/cases";

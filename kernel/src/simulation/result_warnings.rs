@@ -212,15 +212,15 @@ impl Cycle {
         all
     }
 
-    /// True for an earlier reason that still holds: missing energy is little beside much that came later, and motion may have come to
-    /// rest since.
+    /// True for an earlier reason that still holds: missing energy is little beside much that came later, and motion that was left
+    /// may have come to rest.
     #[must_use]
     pub fn still_matters(&self, caution: &ResultWarning, energy: &Energy) -> bool {
         match caution {
             ResultWarning::Energy { remainder, .. } => {
                 remainder.abs() > MOST_REMAINDER * self.scale_of_energy(energy)
             }
-            ResultWarning::Motion(motion) => self.is_recent(motion),
+            ResultWarning::Motion(_) => false,
             _ => true,
         }
     }

@@ -202,27 +202,3 @@ fn damped_bodies_that_still_move_are_told() {
     driven.bodies[1].motion = Some([0.0; 3].into());
     assert!(motion(&driven, 0.25).is_some(), "a driven body stands");
 }
-
-/// A bar that swings stands still where it turns. A run that ends there told of the motion a moment ago, and that counts.
-#[test]
-fn motion_a_moment_ago_counts_where_a_run_ends_at_a_turning_point() {
-    let mut scene = hanging(0.01, Weighting::UniformGimp);
-    (scene.scheme, scene.damping) = (StressScheme::Usl, Damping::Viscous { alpha: 0.01 });
-    let mut simulation = until(&scene, 0.5);
-    let told = cautions(&mut simulation);
-    let [ResultWarning::Motion(motion)] = &told[..] else {
-        panic!("{told:?}");
-    };
-    assert_eq!(motion.time, simulation.time());
-    let energy = simulation.energy();
-    assert!(simulation.still_matters(&told[0], &energy));
-    for (time, counts) in [(0.56, true), (0.6, false)] {
-        simulation.run_until(time).expect("a step");
-        let energy = simulation.energy();
-        assert_eq!(
-            simulation.still_matters(&told[0], &energy),
-            counts,
-            "{time}"
-        );
-    }
-}

@@ -4,7 +4,7 @@
 //! closed form (`exact/two_slopes.rs`, `exact/material_point.rs`). Where the direction of flow stays, an implicit return is
 //! exact for any step; elsewhere it is of order 1. Beside the paths each law returns random states far outside its surface, and
 //! those of a list of corners: the stress must lie on the surface, stay there when asked again, turn with the axes, dissipate, and
-//! have the same bits on all lanes. `proctor verify element`; `proctor element` draws such paths of a user's materials.
+//! have the same bits on all lanes. `proctor verify element`; the verb `element` draws such paths of a user's materials.
 
 mod clay;
 mod returns;

@@ -116,8 +116,6 @@ impl Run {
 const REST: f64 = 1e-6;
 /// Most times of a scene that a run to rest takes.
 const LONGEST: f64 = 4.0;
-/// Share of the longest run between looks for cautions: that between the frames of a run by default.
-const LOOK: f64 = 0.1;
 
 /// The distance of a result from the right one.
 #[derive(Clone, Debug, PartialEq)]
@@ -261,22 +259,15 @@ fn result(run: &Run) -> Result<Seen, String> {
     let mut simulation = run.scene.simulate(&options).map_err(|e| e.to_string())?;
     let start = Seen::start(&simulation);
     let mut end = run.scene.time;
-    let longest = LONGEST * run.scene.time;
-    let mut look = LOOK * longest;
-    let mut cautions: Vec<ResultWarning> = vec![];
     loop {
-        if run.to_rest && simulation.time() >= look.min(end) {
-            let energy = simulation.energy();
-            cautions.retain(|caution| simulation.still_matters(caution, &energy));
-            cautions.extend(simulation.cautions(&energy));
-            look += LOOK * longest;
-        }
         if simulation.time() >= end {
+            let longest = LONGEST * run.scene.time;
             if !run.to_rest {
                 return Ok(start.end(&simulation));
             }
             let energy = simulation.energy();
             if end >= longest || energy.kinetic < REST * energy.strain {
+                let cautions = simulation.cautions(&energy);
                 let mut seen = start.end(&simulation);
                 seen.cautions = cautions.iter().map(ResultWarning::word).collect();
                 return Ok(seen);

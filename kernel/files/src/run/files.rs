@@ -128,8 +128,6 @@ impl Files {
         };
         let row = is_new.then(|| {
             let energy = simulation.energy();
-            self.cautions
-                .retain(|caution| simulation.still_matters(caution, &energy));
             worst(&mut self.cautions, simulation.cautions(&energy));
             rows_are_frames.then(|| self.rows.row(simulation, &energy))
         });

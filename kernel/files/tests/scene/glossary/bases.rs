@@ -118,6 +118,8 @@ fn of_wet_soil(axes: usize) -> Value {
         }),
     );
     scene["n_phases"] = 2.into();
+    // The level of a water table is a coordinate along it.
+    scene["gravity"] = [vec![0.0; axes - 1], vec![-9.81]].concat().into();
     scene["mesh"]["boundary_conditions_fluid"] = json!({});
     scene["mesh"]["boundary_pressures_fluid"] = json!({});
     scene["initial_pressure_material"] = json!([{"material_id": 1, "pressure": 10}]);
