@@ -136,7 +136,7 @@ impl Lines {
     }
 }
 
-/// True for a case that holds, every gate of it within [`FAR`] of its bound.
+/// True for a case that holds, every gate of it within three quarters of its bound.
 #[must_use]
 pub fn is_far(ran: &Ran) -> bool {
     let mut gates = ran.verdict.gates.iter().map(gate);

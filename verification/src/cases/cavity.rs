@@ -7,7 +7,7 @@
 //! Expected: order 1 of the displacement, whose slope has a kink at the front. `proctor verify cavity`.
 
 use super::prelude::*;
-use super::vocabulary::moved::Moved;
+use super::vocabulary::moved::PrescribedVelocity;
 use super::vocabulary::round::{around, distance, gradient, radial, shell};
 use crate::exact::cavity::Cavity;
 
@@ -100,7 +100,7 @@ fn start(rung: &Rung, _: Reference, options: Options) -> Options {
             )
         }
     });
-    options.with_condition(Moved::by(move |x, t| {
+    options.with_condition(PrescribedVelocity::by(move |x, t| {
         let far = distance(x);
         (far > 0.0 && far <= RADIUS + near).then(|| radial(x, exact.velocity(far, t) / far))
     }))

@@ -8,7 +8,7 @@
 //! Stresses are compared as means over cells. Expected: order 2 in the displacement, 1 in the stress. `proctor verify thick-sphere`.
 
 use super::prelude::*;
-use super::vocabulary::moved::{Moved, smooth};
+use super::vocabulary::moved::{PrescribedVelocity, smooth};
 use super::vocabulary::round::{around, distance, radial, shell};
 use crate::exact::thick_wall::ThickWall;
 use crate::exact::yielding_wall::YieldingWall;
@@ -153,7 +153,7 @@ fn ramp() -> f64 {
 fn faces(rung: &Rung, _: Reference, options: Options) -> Options {
     let (variant, end) = (rung.variant, ramp());
     let near = 1e-9 * rung.cell;
-    options.with_condition(Moved::by(move |x, t| {
+    options.with_condition(PrescribedVelocity::by(move |x, t| {
         let far = distance(x);
         let moved = far > 0.0 && (far <= INNER + near || far >= OUTER - near);
         moved.then(|| {

@@ -13,7 +13,7 @@ use std::sync::Arc;
 
 /// The planes that are not free.
 struct Walls {
-    walls: Vec<Wall>,
+    skeleton: Vec<Wall>,
     /// Those that the pore water meets.
     water: Vec<Wall>,
     /// Those at which the pressure of the pore water is given.
@@ -55,7 +55,7 @@ fn of(settings: &CycleSettings, shape: &GridShape) -> Option<ConditionResult> {
         || settings.base_motion.is_some();
     act.then(|| {
         Ok(Arc::new(Walls {
-            walls,
+            skeleton: walls,
             water,
             pressed,
         }) as _)
@@ -102,7 +102,7 @@ impl Condition for Walls {
     }
 
     fn prescribe(&self, _: &StepView<'_>, nodal: &mut NodalConditions) {
-        nodal.walls.extend(self.walls.iter().copied());
+        nodal.walls.extend(self.skeleton.iter().copied());
         nodal.water_walls.extend(self.water.iter().copied());
         nodal.water_pressures.extend(self.pressed.iter().copied());
     }

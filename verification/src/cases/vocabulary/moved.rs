@@ -4,12 +4,12 @@ use proctor_scene::Vector;
 use proctor_scene::simulation::{Condition, FieldNodes};
 
 /// Nodes that get the velocity of a field.
-pub struct Moved<F> {
+pub struct PrescribedVelocity<F> {
     /// The velocity of the node at a place \[m\] at a time \[s\], in m/s; `None` where the node is free.
     velocity: F,
 }
 
-impl<F: Fn(Vector, f64) -> Option<Vector> + Send + Sync> Moved<F> {
+impl<F: Fn(Vector, f64) -> Option<Vector> + Send + Sync> PrescribedVelocity<F> {
     /// Nodes that a field moves: their velocity \[m/s\] by place \[m\] and time \[s\].
     pub const fn by(velocity: F) -> Self {
         Self { velocity }
@@ -27,7 +27,7 @@ impl<F: Fn(Vector, f64) -> Option<Vector> + Send + Sync> Moved<F> {
     }
 }
 
-impl<F: Fn(Vector, f64) -> Option<Vector> + Send + Sync> Condition for Moved<F> {
+impl<F: Fn(Vector, f64) -> Option<Vector> + Send + Sync> Condition for PrescribedVelocity<F> {
     fn after(&self, field: &mut FieldNodes<'_, '_>) {
         self.prescribe(field);
     }
