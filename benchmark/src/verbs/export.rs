@@ -131,7 +131,8 @@ impl Export {
             }
             write(&file.text, Some(&path), out)?;
         }
-        let pages = files.iter().filter(|file| file.path.ends_with(".md"));
+        let is_page = |path: &str| Path::new(path).extension().is_some_and(|end| end == "md");
+        let pages = files.iter().filter(|file| is_page(&file.path));
         writeln!(out, "{} pages in {}", pages.count(), folder.display())?;
         Ok(Outcome::Fine)
     }

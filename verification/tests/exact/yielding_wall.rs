@@ -22,7 +22,7 @@ fn pressures_are_those_of_hill() {
     );
     assert_relative_eq!(
         WALL.cylinder_limit(),
-        0.693_147_18 * 3.0,
+        std::f64::consts::LN_2 * 3.0,
         max_relative = 1e-8
     );
     assert_relative_eq!(
@@ -32,7 +32,7 @@ fn pressures_are_those_of_hill() {
     );
     assert_relative_eq!(
         WALL.sphere_limit(),
-        2.0 * 0.693_147_18 * 3.0,
+        2.0 * std::f64::consts::LN_2 * 3.0,
         max_relative = 1e-8
     );
 }
