@@ -207,7 +207,7 @@ impl<'a> Page<'a> {
         text
     }
 
-    /// How to repeat it, and what else can be done with the case.
+    /// Commands that repeat the case, and what else can be done with it.
     fn repeat(&self) -> String {
         let name = self.case.name();
         let short = match self.size {

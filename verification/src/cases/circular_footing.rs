@@ -65,7 +65,7 @@ fn exact(reference: Reference, rung: &Rung) -> f64 {
     factor * reference.of(&WRONG_STRENGTH) * STRENGTH
 }
 
-/// How far the footing goes \[m\]: three times what elastic ground would let it sink at the exact load.
+/// Way of the footing \[m\]: three times what elastic ground would let it sink at the exact load.
 fn way(rung: &Rung) -> f64 {
     let elastic = FRAC_PI_2 * (1.0 - POISSON * POISSON) * RADIUS / YOUNG;
     3.0 * elastic * exact(Reference::CORRECT, rung)

@@ -8,7 +8,7 @@
 //! of the contact forces over the steps; between rollers nothing else acts along the bars, so it is what the first bar
 //! lost, to round-off.
 //!
-//! *Blocks* collide off centre with friction. There is no exact answer but momentum and energy; restitution is told
+//! *Blocks* collide off centre with friction. There is no exact answer but momentum and energy; restitution is shown
 //! for the record. Kinetic energy is that at the time of the stress, the mean of half a step before and after.
 //!
 //! Expected: order 2/3 in duration and restitution. The wave has a jump, which dispersion of second order spreads over

@@ -2,7 +2,7 @@
 //!
 //! The program holds the heads and not the files: they are cut out when it is compiled.
 
-/// How each line of a head begins.
+/// The beginning of each line of a head.
 const MARK: [u8; 3] = *b"//!";
 
 /// Number of bytes of the lines with which a source begins and that are documentation of the module.

@@ -14,7 +14,7 @@
 //! with mu = 1.2, and released at once with mu = 2.5; a little local damping lets the swing end. Released at once with
 //! mu = 1.2 it walks: it slides at the turn, and an elastic body that slides with a friction near 1 and more
 //! flutters, lifts and slides on (Martins, Guimaraes and Faria 1995; Adams 1995). Finite elements of the same block
-//! (`exact::elastic_block`) do the same; both are told for the record.
+//! (`exact::elastic_block`) do the same; both stand in the record.
 //!
 //! The scene as *printed* is run for the record. Its gravity is switched on at once: the force on the base swings
 //! between nothing and twice the weight (period 4H/c = 0.2 s), and the base is free between its rollers and swings

@@ -58,7 +58,7 @@ fn aspect(rung: &Rung) -> f64 {
     if rung.variant == WIDE { 0.8 } else { 2.0 }
 }
 
-/// How far experiments came beyond the column, over its radius.
+/// Run-out of experiments beyond the column, over its radius.
 fn published(aspect: f64) -> f64 {
     if aspect < 1.7 {
         1.24 * aspect

@@ -49,7 +49,7 @@ pub static TRIAXIAL: Case = Case::new(
 .no_study("its stress is uniform, so that no resolution is better than another")
 .no_guest("the scenes of other solvers have no axis of revolution");
 
-/// What is exact.
+/// The exact answer.
 #[derive(Clone, Copy)]
 struct Exact {
     /// Stress along the axis at which it flows, in compression \[Pa\].
@@ -139,7 +139,7 @@ fn solve(
     Ok(solved)
 }
 
-/// What came out, against the correct reference.
+/// Results, against the correct reference.
 fn found(simulation: &Simulation, carried: f64) -> Result<Found, Failure> {
     let exact = exact(Reference::CORRECT);
     let stress = l2(simulation, |p, _| {

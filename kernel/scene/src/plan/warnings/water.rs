@@ -46,7 +46,7 @@ pub(super) fn shut_in(scene: &Scene) -> Vec<String> {
     all
 }
 
-/// Whether a box ends at a boundary plane.
+/// True for a box that ends at a boundary plane.
 fn ends_at(scene: &Scene, bounds: &[Vector; 2], axis: usize, side: usize) -> bool {
     from_plane(scene, bounds, axis, side).abs() <= scene.mesh.tolerance(axis)
 }
