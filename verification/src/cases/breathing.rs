@@ -8,6 +8,7 @@
 
 use super::prelude::*;
 use super::vocabulary::round::{distance, gradient, radial};
+use super::vocabulary::vibration::Vibration;
 use crate::exact::breathing::Round;
 
 const RADIUS: f64 = 1.0; // Radius [m]
@@ -152,41 +153,10 @@ fn start(rung: &Rung, _: Reference, options: Options) -> Options {
 fn compare(run: Run<'_>) -> Result<Found, Failure> {
     let rung = run.rung;
     let lowest = round(rung.variant).lowest(POISSON);
-    let exact = lowest * wave_speed() * run.reference.of(&WRONG_STIFFNESS) / (TAU * RADIUS);
-    let end = run.simulation.scene().time;
-    let mut samples: Vec<(f64, f64)> = vec![];
-    let mut keep = |simulation: &Simulation| {
-        let set = &simulation.sets()[0];
-        let (mut sum, mut norm) = (0.0, 0.0);
-        for p in 0..set.len() {
-            let (of_mode, _) = mode(rung, lowest / RADIUS, simulation.position(0, p));
-            let (mass, velocity) = (simulation.particle_mass(0, p), set.velocity(p));
-            for axis in 0..2 {
-                sum += mass * of_mode[axis] * velocity[axis];
-                norm += mass * of_mode[axis] * of_mode[axis];
-            }
-        }
-        samples.push((simulation.time(), sum / norm / (SPEED * wave_speed())));
+    let vibration = Vibration {
+        frequency: lowest * wave_speed() * run.reference.of(&WRONG_STIFFNESS) / (TAU * RADIUS),
+        speed: SPEED * wave_speed(),
+        shape: &|x| mode(rung, lowest / RADIUS, x).0,
     };
-    run_until(run.simulation, end, run.observer, &mut keep)?;
-    // Velocities are half a step before the time, at each zero alike.
-    let zeros: Vec<f64> = (samples.windows(2))
-        .filter(|pair| pair[0].1 * pair[1].1 < 0.0)
-        .map(|pair| {
-            let [(t, a), (u, b)] = [pair[0], pair[1]];
-            t + (u - t) * a / (a - b)
-        })
-        .collect();
-    let [first, _, third] = zeros[..] else {
-        return Err(format!("{} zeros of the velocity, not three", zeros.len()).into());
-    };
-    let points = samples.iter();
-    let points = points.map(|&(t, found)| CurvePoint::new(t, found, libm::cos(TAU * exact * t)));
-    let curve = Curve::new(
-        format!("amplitude of the mode, {}", rung.label),
-        ["t (s)", "velocity over that at the start"],
-        points,
-    );
-    let frequency = Quantity::compared(FREQUENCY, 1.0 / (third - first), exact, "Hz");
-    Ok(Found::new(vec![frequency], Some(curve)))
+    vibration.compare(run, FREQUENCY)
 }

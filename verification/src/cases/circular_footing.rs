@@ -1,4 +1,4 @@
-//! What does clay carry below a circular footing?
+//! Does clay carry the exact limit load below a circular footing?
 //!
 //! Source: Eason and Shield 1960 (rough), Cox et al. 1961 (smooth): 6.05 and 5.69 times the strength of ground after Tresca without
 //! weight. The scene of *footing*, axisymmetric: nodes at the surface up to the radius a are pressed down from rest to rest, and what
@@ -32,7 +32,7 @@ const WRONG_STRENGTH: Wrong =
 /// The circular footing.
 pub static CIRCULAR_FOOTING: Case = Case::new(
     "circular-footing",
-    "What does clay carry below a circular footing?",
+    "Does clay carry the exact limit load below a circular footing?",
 )
 .ladder(Ladder::variants(
     &[SMOOTH, ROUGH],

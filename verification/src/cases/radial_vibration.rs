@@ -7,6 +7,7 @@
 //! Expected: order 2 in the frequency. `proctor verify radial-vibration`.
 
 use super::prelude::*;
+use super::vocabulary::vibration::Vibration;
 
 const RADIUS: f64 = 1.0; // Radius [m]
 const YOUNG: f64 = 1e6; // Young's modulus [Pa]
@@ -127,39 +128,14 @@ fn start(rung: &Rung, _: Reference, options: Options) -> Options {
 fn compare(run: Run<'_>) -> Result<Found, Failure> {
     let variant = run.rung.variant;
     let [k, speed] = mode(variant);
-    let exact = k * speed * run.reference.of(&WRONG_STIFFNESS) / TAU;
-    let end = run.simulation.scene().time;
-    let mut samples: Vec<(f64, f64)> = vec![];
-    let mut keep = |simulation: &Simulation| {
-        let set = &simulation.sets()[0];
-        let (mut sum, mut norm) = (0.0, 0.0);
-        for p in 0..set.len() {
-            let [of_mode, _] = shape(variant, simulation.position(0, p)[0]);
-            let mass = simulation.particle_mass(0, p);
-            sum += mass * of_mode * set.velocity(p)[along(variant)];
-            norm += mass * of_mode * of_mode;
-        }
-        samples.push((simulation.time(), sum / norm / (SPEED * speed)));
+    let vibration = Vibration {
+        frequency: k * speed * run.reference.of(&WRONG_STIFFNESS) / TAU,
+        speed: SPEED * speed,
+        shape: &|x| {
+            let mut of_mode = [0.0; 3];
+            [of_mode[along(variant)], _] = shape(variant, x[0]);
+            of_mode
+        },
     };
-    run_until(run.simulation, end, run.observer, &mut keep)?;
-    // Velocities are half a step before the time, at each zero alike.
-    let zeros: Vec<f64> = (samples.windows(2))
-        .filter(|pair| pair[0].1 * pair[1].1 < 0.0)
-        .map(|pair| {
-            let [(t, a), (u, b)] = [pair[0], pair[1]];
-            t + (u - t) * a / (a - b)
-        })
-        .collect();
-    let [first, _, third] = zeros[..] else {
-        return Err(format!("{} zeros of the velocity, not three", zeros.len()).into());
-    };
-    let points = samples.iter();
-    let points = points.map(|&(t, found)| CurvePoint::new(t, found, libm::cos(TAU * exact * t)));
-    let curve = Curve::new(
-        format!("amplitude of the mode, {}", run.rung.label),
-        ["t (s)", "velocity over that at the start"],
-        points,
-    );
-    let frequency = Quantity::compared(FREQUENCY, 1.0 / (third - first), exact, "Hz");
-    Ok(Found::new(vec![frequency], Some(curve)))
+    vibration.compare(run, FREQUENCY)
 }

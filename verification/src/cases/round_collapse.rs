@@ -1,4 +1,4 @@
-//! How far does a round column of sand come that is let go?
+//! Does a round column of sand that is let go run out as far as in experiments?
 //!
 //! Source: Lube et al. 2004 (J. Fluid Mech. 508, 175). A cylinder of dry sand of the radius r_0 and the height H = a r_0 stands on
 //! rough ground and loses its wall at once. In experiments the heap came to r_0 (1 + 1.24 a) where a < 1.7, and to
@@ -34,7 +34,7 @@ const WRONG_WORK: Wrong =
 /// The round column.
 pub static ROUND_COLLAPSE: Case = Case::new(
     "round-collapse",
-    "How far does a round column of sand come that is let go?",
+    "Does a round column of sand that is let go run out as far as in experiments?",
 )
 .ladder(Ladder::made(rungs))
 .scene(scene)

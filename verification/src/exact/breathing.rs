@@ -23,10 +23,7 @@ impl Round {
             Self::Sphere => x * libm::cos(x) - (1.0 - 0.25 * ratio * x * x) * libm::sin(x),
         };
         // Below pi there is one root, and nothing at zero but zero itself.
-        #[allow(
-            clippy::approx_constant,
-            reason = "a place below pi, not pi itself"
-        )]
+        #[allow(clippy::approx_constant, reason = "a place below pi, not pi itself")]
         let (mut low, mut high) = (0.5, 3.14);
         let sign = surface(low) > 0.0;
         for _ in 0..200 {

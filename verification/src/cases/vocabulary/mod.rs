@@ -11,5 +11,6 @@ pub mod round;
 pub mod run_out;
 pub mod slab;
 pub mod stepping;
+pub mod vibration;
 pub mod wet;
 pub mod yielding;
