@@ -279,8 +279,8 @@ impl Selected {
         Self::new(LaneChoice::Auto).unwrap_or(Self::plain())
     }
 
-    /// What a machine without fused multiply-add takes: lanes in plain Rust, eight at once, on any machine. What all others
-    /// are compared with, and the paths of AVX-512 where there is none.
+    /// Lanes in plain Rust, for a machine without fused multiply-add: one lane at a time, and lines of eight as with AVX-512. All
+    /// others are compared with them, and they take the paths of AVX-512 through a line on any machine.
     #[must_use]
     pub fn plain() -> Self {
         Self(Kind::Plain)
@@ -329,12 +329,13 @@ impl Backend for ScalarBackend {
     const WHOLE_LINE: bool = false;
 }
 
-/// Eight lanes in plain Rust, with lines taken as one register as with AVX-512.
+/// One lane at a time in plain Rust, with lines taken as one register as with AVX-512. Every multiply-add is a library call here:
+/// eight of them side by side at each place were nine tenths of the code for lanes.
 #[derive(Clone, Copy)]
 struct Plain;
 
 impl Backend for Plain {
-    type Native = Pair<Pair<Pair<Scalar>>>;
+    type Native = Scalar;
     type Line = Pair<Pair<Pair<Scalar>>>;
     type Half = Pair<Pair<Scalar>>;
     const WHOLE_LINE: bool = true;
