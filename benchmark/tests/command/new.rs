@@ -12,6 +12,33 @@ fn here(desk: &Desk, arguments: &[&str]) -> Output {
         .expect("the command starts")
 }
 
+/// The history of a run.
+struct History {
+    text: String,
+}
+
+impl History {
+    /// That in a folder of the desk.
+    fn read(desk: &Desk, folder: &str) -> Self {
+        let text = fs::read_to_string(desk.path(folder).join("history.csv")).expect("a history");
+        Self { text }
+    }
+
+    /// A column by its name, a value per row.
+    fn column(&self, name: &str) -> Vec<f64> {
+        let mut lines = self.text.lines();
+        let at = (lines.next().expect("a head").split(','))
+            .position(|column| column == name)
+            .unwrap_or_else(|| panic!("no column {name}"));
+        lines
+            .map(|line| {
+                let cell = line.split(',').nth(at).expect("a cell");
+                cell.parse().expect("a number")
+            })
+            .collect()
+    }
+}
+
 /// The kinds that the command lists.
 fn kinds() -> Vec<String> {
     let output = here(&Desk::new(), &["new"]);
@@ -97,22 +124,7 @@ fn what_the_comments_promise_happens() {
         let output = here(&desk, &["run", &format!("{kind}.json"), "--out", kind]);
         assert_eq!(code(&output), 0, "{}", stderr(&output));
     }
-    let column = |kind: &str, name: &str| -> Vec<f64> {
-        let text = fs::read_to_string(desk.path(kind).join("history.csv")).expect("a history");
-        let mut lines = text.lines();
-        let at = (lines.next().expect("a head").split(','))
-            .position(|column| column == name)
-            .unwrap_or_else(|| panic!("{name} in {kind}"));
-        lines
-            .map(|line| {
-                line.split(',')
-                    .nth(at)
-                    .expect("a cell")
-                    .parse()
-                    .expect("a number")
-            })
-            .collect()
-    };
+    let column = |kind: &str, name: &str| History::read(&desk, kind).column(name);
     let sunk = -column("column", "top_uy").last().expect("a row");
     assert!((sunk - 0.029).abs() < 0.001, "{sunk}");
     let slid = column("incline", "body2_x");
@@ -145,6 +157,32 @@ fn what_the_comments_promise_happens() {
         .last()
         .expect("a row");
     assert!(last.abs() < 0.02, "{last}");
+}
+
+/// The starter is a scene to refine: on smaller cells the block slides as far, and no energy comes from nowhere. With FLIP and
+/// MUSL it would gain 1.5 % of the work on these cells, and slide 4.6 % farther on a quarter of them.
+#[test]
+fn the_block_on_an_incline_slides_as_far_on_smaller_cells() {
+    let desk = Desk::new();
+    assert_eq!(code(&here(&desk, &["new", "incline"])), 0);
+    let text = fs::read_to_string(desk.path("incline.json")).expect("a scene");
+    let mut slid = vec![];
+    for finer in [1.0, 4.0] {
+        let mut scene: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+        scene["mesh"]["cells_dimension"] = [0.1 / finer; 2].into();
+        scene["mesh"]["cells_number"] = [24.0 * finer, 8.0 * finer].into();
+        fs::write(desk.path("finer.json"), scene.to_string()).expect("the folder can be written");
+        let out = format!("out{finer}");
+        let output = here(&desk, &["run", "finer.json", "--out", &out]);
+        assert_eq!(code(&output), 0, "{}", stderr(&output));
+        let history = History::read(&desk, &out);
+        let way = history.column("body2_x");
+        slid.push(way.last().expect("a row") - way[0]);
+        let last = |name: &str| *history.column(name).last().expect("a row");
+        let gained = -last("energy_remainder") / last("energy_external_work");
+        assert!(gained < 0.005, "{finer}: {gained}");
+    }
+    assert!((slid[1] / slid[0] - 1.0).abs() < 0.005, "{slid:?}");
 }
 
 #[test]
