@@ -18,9 +18,9 @@ const fn inverse_factorials() -> [f64; 23] {
 }
 
 /// Largest argument of [`exp`] in magnitude.
-pub const LARGEST_EXPONENT: f64 = 708.0;
+pub(crate) const LARGEST_EXPONENT: f64 = 708.0;
 
-/// e^x within two units in the last place. Arguments beyond ±[`LARGEST_EXPONENT`] count as that number; NaN stays NaN.
+/// e^x within two units in the last place. Arguments beyond ±708 count as that number; NaN stays NaN.
 #[inline(always)]
 pub fn exp<L: Lanes>(x: L) -> L {
     // x = n ln 2 + r with |r| <= ln 2 / 2; ln 2 in two parts, of which the first has so few bits that n times it is exact.

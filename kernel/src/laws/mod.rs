@@ -15,8 +15,8 @@ pub use any::{AnyLaw, LawType, Readable};
 pub use constants::{Accepted, Choice, Constant, ConstantDefault, Curve, InvalidConstant, Rows};
 pub use point::{Point, PointFault};
 pub use stored_particle::StoredParticle;
-pub(crate) use strain::MOST_LANES;
-pub use strain::{BLOCK, Block, Gradients, HOOP, Strain, Strained};
+pub use strain::{BLOCK, Block, Gradients, Strain, Strained};
+pub(crate) use strain::{HOOP, MOST_LANES};
 pub use stress::{Component, Stress};
 
 use crate::lanes::Lanes;
@@ -186,7 +186,7 @@ impl PartialEq for StrainRange {
 impl StrainRange {
     /// True for a change of volume J - 1 beyond the range.
     #[must_use]
-    pub fn is_exceeded(&self, volume_change: f64) -> bool {
+    pub(crate) fn is_exceeded(&self, volume_change: f64) -> bool {
         volume_change.abs() > self.most_volume_change
     }
 }

@@ -177,12 +177,6 @@ impl Point {
         )
     }
 
-    /// Time \[s\].
-    #[must_use]
-    pub fn time(&self) -> f64 {
-        self.time
-    }
-
     /// Cauchy stress xx, yy, zz, yz, xz, xy \[Pa\].
     #[must_use]
     pub fn stress(&self) -> [f64; 6] {

@@ -22,7 +22,7 @@ pub enum Configuration {
 
 /// Determinant of 1 + s G.
 #[inline(always)]
-pub fn determinant_of_one_plus<L: Lanes, const D: usize>(g: &Matrix<L>, s: f64) -> L {
+pub(crate) fn determinant_of_one_plus<L: Lanes, const D: usize>(g: &Matrix<L>, s: f64) -> L {
     determinant::<L, D>(&one_plus::<L, D>(g, s))
 }
 

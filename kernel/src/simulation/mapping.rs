@@ -260,7 +260,7 @@ impl Deref for NodeWeights {
 
 /// Those of the centre of a particle, of nodes that it reaches by more than round-off.
 #[must_use]
-pub fn node_weights(
+pub(crate) fn node_weights(
     set: &ParticleSet,
     body: &BodyRun,
     shape: &GridShape,

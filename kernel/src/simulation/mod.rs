@@ -44,27 +44,25 @@ pub use context::{
     at_half_step_after,
 };
 pub use fields::{Grid, Owner, Slab, SlabField, VelocityField};
-pub use history::{BaseVelocity, Displacement, rows_until, value as history_value};
+pub use history::{BaseVelocity, Displacement, value as history_value};
 pub use interactions::{
     BalanceTraits, BodyList, Interaction, InteractionClone, Interactions, OwnLines, PairList,
     SharedSlabInteraction, SlabInteraction, SlabMemory, SlabPart,
 };
-pub use mapping::{NodeWeights, node_weights, node_weights_touching};
-pub use measure::state_hash;
+pub use mapping::{NodeWeights, node_weights_touching};
 pub use nodes::NodeValues;
-pub use phase::{Phase, PhaseObserver};
+pub use phase::Phase;
 pub use rehearsal::{Part, Rehearsal};
 pub use residual_motion::ResidualMotion;
-pub use result_warnings::{MOST_REMAINDER, ResultWarning};
+pub use result_warnings::ResultWarning;
 pub use start::Start;
 pub use step_view::{StepUpdate, StepView};
 pub use values::{
     AbsorbingNode, BodyEnergy, BodyHandle, BodyRun, Bound, Clock, Drift, Energy, EnergyLedger,
     Event, EventKind, Extremes, Groups, InitialOverlap, InteractionError, InteractionFault,
-    Invariant, InvariantMonitor, LEAST_VOLUME_RATIO, MESH, MOST_GAIN, MOST_INCREMENT,
-    MOST_LOST_MOMENTUM, MOST_LOST_SPIN, MOST_STRETCH_RATIO, MOST_UNSEEN, MOST_VOLUME_RATIO,
-    MassCenter, NodalForce, ParticleAt, RestoreError, Saved, SavedArrays, SetupError, Spin, State,
-    StepError, StepErrorKind, StepInfo, Tension, TimeStepAboveCritical, Violation,
+    Invariant, InvariantMonitor, MESH, MassCenter, NodalForce, ParticleAt, RestoreError, Saved,
+    SavedArrays, SetupError, Spin, State, StepError, StepErrorKind, StepInfo, Tension,
+    TimeStepAboveCritical, Violation,
 };
 
 pub use model::Model;

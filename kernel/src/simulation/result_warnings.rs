@@ -13,7 +13,7 @@ use crate::simulation::values::{Energy, Extremes, MOST_LOST_SPIN, MOST_STRETCH_R
 use std::fmt;
 
 /// Largest remainder of the energy balance over its scale that needs no explanation.
-pub const MOST_REMAINDER: f64 = 0.02;
+pub(crate) const MOST_REMAINDER: f64 = 0.02;
 /// Largest share of the mass of a body beyond that. A beam that bends under its own weight has 17 % near its root, and its tip is
 /// where domains that follow have it within 0.05 %; of the bar at 1.48 it is 40 %.
 const MOST_STRETCHED: f64 = 0.25;
@@ -52,7 +52,7 @@ pub enum ResultWarning {
     Stretch {
         /// Largest ratio of principal stretches.
         ratio: f64,
-        /// Share of the mass of a body beyond [`MOST_STRETCH_RATIO`].
+        /// Share of the mass of a body beyond a ratio of 1.25.
         share: f64,
         /// Whether the weighting function is a B-spline, which has no domains that could follow.
         bspline: bool,

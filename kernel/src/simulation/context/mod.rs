@@ -122,7 +122,7 @@ impl NodalConditions {
 }
 
 /// Boundary planes: six at most.
-pub type Walls = SmallVec<[Wall; 6]>;
+pub(crate) type Walls = SmallVec<[Wall; 6]>;
 
 /// The context of a visit of all slabs, beside the fields.
 pub struct StepContext<'a> {

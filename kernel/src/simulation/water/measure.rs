@@ -18,20 +18,6 @@ impl Cycle {
         self.sum_of_water(water_mass)
     }
 
-    /// Momentum of the pore water \[kg m/s\].
-    #[must_use]
-    pub fn water_momentum(&self) -> Vector {
-        std::array::from_fn(|axis| {
-            self.sum_of_water(|water, set, p| {
-                let w = set
-                    .layout
-                    .water
-                    .map_or([0.0; 3], |first| set.vector(first, p));
-                water_mass(water, set, p) * w[axis]
-            })
-        })
-    }
-
     /// Kinetic energy of the pore water, and what its compression stores \[J\].
     pub(in crate::simulation) fn water_energies(&self) -> [f64; 2] {
         if !self.work.grid.has_water {

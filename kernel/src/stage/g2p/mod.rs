@@ -115,7 +115,7 @@ pub enum FaultKind {
 impl ParticleMaxima {
     /// The larger of two findings; the fault of `self` comes first.
     #[must_use]
-    pub fn and(self, later: Self) -> Self {
+    pub(crate) fn and(self, later: Self) -> Self {
         Self {
             speed_squared: self.speed_squared.max(later.speed_squared),
             wave_speed_squared: self.wave_speed_squared.max(later.wave_speed_squared),
@@ -128,13 +128,13 @@ impl ParticleMaxima {
 
     /// Largest wave speed of the set \[m/s\].
     #[must_use]
-    pub fn wave_speed(&self) -> f64 {
+    pub(crate) fn wave_speed(&self) -> f64 {
         self.wave_speed_squared.max(0.0).sqrt()
     }
 }
 
 /// An interpolation stage, compiled for one dimension, stencil and set of sums.
-pub type G2pFn = fn(Selected, G2p<'_, '_>) -> ParticleMaxima;
+pub(crate) type G2pFn = fn(Selected, G2p<'_, '_>) -> ParticleMaxima;
 
 /// Chooses the instance for a task, by the nodes per axis of [`Family::stage_nodes`](crate::weights::Family::stage_nodes).
 #[must_use]
@@ -153,7 +153,7 @@ pub fn instance(axes: usize, nodes: usize, task: &Task) -> G2pFn {
 
 /// Chooses the instance where the first of two axes is a radius.
 #[must_use]
-pub fn axisymmetric_instance(nodes: usize, task: &Task) -> G2pFn {
+pub(crate) fn axisymmetric_instance(nodes: usize, task: &Task) -> G2pFn {
     let gradient = task.strain.is_some() || task.affine == Affine::Tpic;
     let apic = task.affine == Affine::Apic;
     match nodes {

@@ -92,7 +92,7 @@ const INVERSE_INERTIA: f64 = 4.0;
 
 /// A mapping stage, compiled for one dimension, stencil and set of terms. Returns the number of groups in the
 /// layers that the caller owns.
-pub type P2gFn = fn(Selected, P2g<'_>) -> usize;
+pub(crate) type P2gFn = fn(Selected, P2g<'_>) -> usize;
 
 /// Chooses the instance: dimension, nodes per axis ([`Family::stage_nodes`](crate::weights::Family::stage_nodes)), whether particles carry affine velocity or forces of their
 /// own (`full`).
@@ -286,7 +286,7 @@ pub fn join_with_hoop(line: &mut Line) {
 
 /// Whether a stage leaves a node in two parts, which [`join`] adds.
 #[must_use]
-pub fn leaves_parts(axes: usize, full: bool, carry: Carry) -> bool {
+pub(crate) fn leaves_parts(axes: usize, full: bool, carry: Carry) -> bool {
     let derivative = match carry {
         Carry::Momentum => false,
         Carry::Remap => full,
