@@ -5,15 +5,13 @@
 
 mod any;
 mod constants;
-mod point;
 mod stored_particle;
 mod strain;
 mod stress;
 pub mod tensor;
 
-pub use any::{AnyLaw, LawType, Readable};
-pub use constants::{Accepted, Choice, Constant, ConstantDefault, Curve, InvalidConstant, Rows};
-pub use point::{Point, PointFault};
+pub use any::AnyLaw;
+pub use constants::{Accepted, Constant, ConstantDefault, Curve, InvalidConstant, Rows};
 pub use stored_particle::StoredParticle;
 pub use strain::{BLOCK, Block, Gradients, Strain, Strained};
 pub(crate) use strain::{HOOP, MOST_LANES};

@@ -1,7 +1,7 @@
 //! Sums over the pore water of particles: mass, momentum, energies. In order of the identifier.
 
 use crate::layout::Layout;
-use crate::model::{PoreWater, Vector};
+use crate::model::PoreWater;
 use crate::particles::ParticleSet;
 use crate::simulation::Cycle;
 
