@@ -112,7 +112,7 @@ impl ParticleSet {
     /// Deformation gradient of a particle, where its law keeps one.
     #[inline(always)]
     #[must_use]
-    pub(crate) fn deformation(&self, p: usize) -> Option<[[f64; 3]; 3]> {
+    pub fn deformation(&self, p: usize) -> Option<[[f64; 3]; 3]> {
         let first = self.layout.deformation?;
         let axes = self.layout.axes;
         let mut f = [[0.0; 3]; 3];

@@ -1,8 +1,8 @@
 //! Matrices and symmetric tensors in lanes: those of the kernel, and what laws alone need.
 
 pub use proctor_kernel::laws::tensor::{
-    Configuration, Matrix, determinant, inverse, one_plus, product, relative_deformation,
-    volume_ratio,
+    Configuration, Matrix, determinant, inverse, left_stretch_diagonal, one_plus, product,
+    relative_deformation, stretch_diagonal, volume_ratio,
 };
 
 use proctor_kernel::lanes::Lanes;

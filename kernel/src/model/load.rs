@@ -30,7 +30,7 @@ impl History {
 
     /// True where values change at a time or after it.
     #[must_use]
-    pub(crate) fn changes_from(&self, time: f64) -> bool {
+    pub fn changes_from(&self, time: f64) -> bool {
         let last = self.times.last();
         self.constant().is_none() && last.is_some_and(|last| time <= *last)
     }

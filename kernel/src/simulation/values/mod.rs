@@ -25,8 +25,7 @@ pub use error::{
     TimeStepAboveCritical,
 };
 pub use event::{Event, EventKind};
-pub use extremes::Extremes;
-pub(crate) use extremes::MOST_STRETCH_RATIO;
+pub use extremes::{Extremes, MOST_STRETCH_RATIO};
 pub use handle::BodyHandle;
 pub(super) use invariants::ROUND_OFF;
 pub use invariants::{Invariant, InvariantMonitor, Violation};
@@ -34,7 +33,6 @@ pub(crate) use invariants::{MOST_GAIN, MOST_INCREMENT, MOST_LOST_MOMENTUM, MOST_
 pub use mass_center::MassCenter;
 pub use nodal_force::NodalForce;
 pub use particle_at::ParticleAt;
-pub(crate) use spin::MOST_LOST_SPIN;
 pub use spin::Spin;
 pub use state::{EnergyLedger, Groups, RestoreError, Saved, SavedArrays, State};
 pub(crate) use tension::MOST_UNSEEN;
