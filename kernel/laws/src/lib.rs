@@ -12,6 +12,7 @@
 mod band;
 mod check;
 mod elasticity;
+pub mod functions;
 mod gap;
 mod law_type;
 mod marks;

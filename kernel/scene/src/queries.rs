@@ -21,6 +21,12 @@ impl Simulation {
         grid.fields.len() - 1 - usize::from(grid.has_water)
     }
 
+    /// True where bodies have water in their pores.
+    #[must_use]
+    pub fn has_water(&self) -> bool {
+        self.view().grid.has_water
+    }
+
     /// Number of threads in use.
     #[must_use]
     pub fn threads(&self) -> usize {

@@ -30,14 +30,13 @@ mod state;
 mod step;
 mod step_view;
 mod tension;
-mod traction_cover;
 mod values;
 mod water;
 mod work_state;
 
 pub use crate::grid::{GridShape, Line};
 pub use crate::stage::solve::{DashpotNode, EmptyNode, PlaneSums, Planes};
-pub use conditions::{describe as describe_conditions, of as conditions};
+pub use conditions::{describe as describe_conditions, nodes_of_traction, of as conditions};
 pub use context::{
     Condition, FieldNodes, NodalConditions, Node, Remap, StepContext, VelocityMapping,
     at_half_step_after,
@@ -48,7 +47,7 @@ pub use interactions::{
     BalanceTraits, BodyList, Interaction, InteractionClone, Interactions, OwnLines, PairList,
     SharedSlabInteraction, SlabInteraction, SlabMemory, SlabPart,
 };
-pub use mapping::{NodeWeights, node_weights_touching};
+pub use mapping::{NodeWeights, node_weights, node_weights_touching};
 pub use nodes::NodeValues;
 pub use phase::Phase;
 pub use rehearsal::{Part, Rehearsal};

@@ -1,4 +1,4 @@
-//! Quality of results: what a run has to show for it, measured. Words about it belong to whoever reports a run.
+//! Quality of results: measures that tell how far they may be trusted. Words about them belong to whoever reports a run.
 
 use super::Cycle;
 use super::interactions::BalanceTraits;

@@ -6,12 +6,6 @@ use crate::particles::ParticleSet;
 use crate::simulation::Cycle;
 
 impl Cycle {
-    /// True where bodies have water in their pores.
-    #[must_use]
-    pub fn has_water(&self) -> bool {
-        self.work.grid.has_water
-    }
-
     /// Mass of the pore water \[kg\]. It changes as water flows, since particles move with the skeleton.
     #[must_use]
     pub fn water_mass(&self) -> f64 {
