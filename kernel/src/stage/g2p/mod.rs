@@ -136,7 +136,8 @@ impl ParticleMaxima {
 /// An interpolation stage, compiled for one dimension, stencil and set of sums.
 pub(crate) type G2pFn = fn(Selected, G2p<'_, '_>) -> ParticleMaxima;
 
-/// Chooses the instance for a task, by the axes, whether the first of two is a radius, and the nodes per axis of [`Family::stage_nodes`](crate::weights::Family::stage_nodes).
+/// Chooses the instance for a task: axes, whether the first of two is a radius, nodes per axis
+/// ([`Family::stage_nodes`](crate::weights::Family::stage_nodes)).
 #[must_use]
 pub fn instance(axes: usize, radial: bool, nodes: usize, task: &Task) -> G2pFn {
     match (axes, radial) {

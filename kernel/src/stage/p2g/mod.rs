@@ -94,8 +94,9 @@ const INVERSE_INERTIA: f64 = 4.0;
 /// layers that the caller owns.
 pub(crate) type P2gFn = fn(Selected, P2g<'_>) -> usize;
 
-/// Chooses the instance: axes, whether the first of two is a radius, nodes per axis ([`Family::stage_nodes`](crate::weights::Family::stage_nodes)), whether
-/// particles carry affine velocity or forces of their own (`full`).
+/// Chooses the instance: axes, whether the first of two is a radius, nodes per axis
+/// ([`Family::stage_nodes`](crate::weights::Family::stage_nodes)), whether particles carry affine velocity or forces of
+/// their own (`full`).
 ///
 /// Without affine velocity, mass and momentum need no derivative and take a shorter loop.
 ///
@@ -104,15 +105,15 @@ pub(crate) type P2gFn = fn(Selected, P2g<'_>) -> usize;
 #[must_use]
 pub fn instance(axes: usize, radial: bool, nodes: usize, full: bool, carry: Carry) -> P2gFn {
     match (carry, axes, radial) {
+        (Carry::Force | Carry::MeanStress { .. }, _, true) => {
+            panic!("no axisymmetric mapping carries force alone")
+        }
         // An instance of its own, so that the others do not ask for every particle.
         (Carry::MassGradient, 2, false) => from_three::<2, MASS_GRADIENT>(nodes),
         (Carry::MassGradient, _, true) => from_three::<2, RING_GRADIENT>(nodes),
         (Carry::MassGradient, _, _) => from_three::<3, MASS_GRADIENT>(nodes),
         (Carry::MeanStress { .. }, 2, false) => from_three::<2, MEAN_STRESS>(nodes),
         (Carry::MeanStress { .. }, _, _) => from_three::<3, MEAN_STRESS>(nodes),
-        (Carry::Force | Carry::MeanStress { .. }, _, true) => {
-            panic!("no axisymmetric mapping carries force alone")
-        }
         (Carry::All, _, true) => with_gradient::<2, AXISYMMETRIC>(nodes, full),
         (Carry::All | Carry::Force, 2, false) => with_gradient::<2, NOTHING>(nodes, full),
         (Carry::All | Carry::Force, _, _) => with_gradient::<3, NOTHING>(nodes, full),
