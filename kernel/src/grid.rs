@@ -16,7 +16,7 @@ pub type Line = [f64; 8];
 /// Ghost layers below the lower plane of each axis.
 pub const GHOSTS_BELOW: usize = 1;
 /// Ghost layers above the upper plane of each axis.
-pub const GHOSTS_ABOVE: usize = 2;
+pub(crate) const GHOSTS_ABOVE: usize = 2;
 
 /// Shape of the grid and its relation to the mesh.
 #[derive(Clone, Debug)]
@@ -93,7 +93,7 @@ impl GridShape {
     /// True if a node lies in a plane of the mesh, 0 the lower, 1 the upper one of the axis.
     #[must_use]
     #[inline]
-    pub fn lies_in_plane(&self, node: usize, axis: usize, side: usize) -> bool {
+    pub(crate) fn lies_in_plane(&self, node: usize, axis: usize, side: usize) -> bool {
         self.indices(node)[self.direction(axis)] == GHOSTS_BELOW + side * self.cells[axis]
     }
 
@@ -197,7 +197,12 @@ impl ActiveRows {
     ///
     /// `occupied[slow * bases[1] + middle]` is the range of fast base indices in use, or `None`. A particle
     /// may cross one cell before the next sort, so the stencil of `stencil` nodes is widened by one each way.
-    pub fn fill(&mut self, shape: &GridShape, occupied: &[Option<(u32, u32)>], stencil: usize) {
+    pub(crate) fn fill(
+        &mut self,
+        shape: &GridShape,
+        occupied: &[Option<(u32, u32)>],
+        stencil: usize,
+    ) {
         let bases = shape.bases();
         let rows = shape.nodes[1];
         let spans = &mut self.spans;
@@ -245,14 +250,14 @@ impl ActiveRows {
     /// Rows of a plane among which those with an active part are, however many the mesh has.
     #[inline]
     #[must_use]
-    pub fn in_plane(&self, plane: usize) -> Range<usize> {
+    pub(crate) fn in_plane(&self, plane: usize) -> Range<usize> {
         let (first, last) = self.in_planes[plane];
         first as usize..last as usize
     }
 
     /// Indices of the active nodes, row by row.
     #[inline]
-    pub fn nodes(&self, shape: &GridShape) -> impl Iterator<Item = Range<usize>> {
+    pub(crate) fn nodes(&self, shape: &GridShape) -> impl Iterator<Item = Range<usize>> {
         let all =
             (0..shape.nodes[0]).flat_map(|plane| self.in_plane(plane).map(move |row| (plane, row)));
         all.map(|(plane, row)| {
@@ -272,7 +277,7 @@ impl ActiveRows {
     /// Number of nodes in all active spans.
     #[must_use]
     #[inline]
-    pub fn count(&self) -> usize {
+    pub(crate) fn count(&self) -> usize {
         self.spans
             .iter()
             .map(|(low, high)| (high - low) as usize)

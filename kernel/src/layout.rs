@@ -153,7 +153,7 @@ impl Layout {
 
     /// Number of stress components in two or three dimensions.
     #[must_use]
-    pub const fn stress_components_of(axes: usize) -> usize {
+    pub(crate) const fn stress_components_of(axes: usize) -> usize {
         if axes == 2 { 4 } else { 6 }
     }
 

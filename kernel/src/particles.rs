@@ -138,7 +138,7 @@ impl ParticleSet {
 
     /// Puts the particles in an order that depends on their positions alone, not on the order in which they
     /// were given.
-    pub fn sort_by_position(&mut self, team: &Team) {
+    pub(crate) fn sort_by_position(&mut self, team: &Team) {
         let axes = self.layout.axes;
         let mut order: Vec<u32> = (0..self.len() as u32).collect();
         team.sort_by(&mut order, |&a, &b| {
@@ -165,7 +165,7 @@ impl ParticleSet {
     }
 
     /// Removes the particles at the given increasing indices.
-    pub fn remove(&mut self, gone: &[usize], team: &Team) {
+    pub(crate) fn remove(&mut self, gone: &[usize], team: &Team) {
         let keep: Vec<u32> = (0..self.len())
             .filter(|p| gone.binary_search(p).is_err())
             .map(|p| p as u32)
@@ -178,7 +178,7 @@ impl ParticleSet {
     }
 
     /// All columns at the given increasing particle ranges, which must not overlap.
-    pub fn parts_mut(
+    pub(crate) fn parts_mut(
         &mut self,
         ranges: impl Iterator<Item = Range<usize>>,
     ) -> impl Iterator<Item = (Range<usize>, Columns<'_>)> {
@@ -197,7 +197,7 @@ impl ParticleSet {
 }
 
 /// Internal variables of a particle.
-pub type Variables = SmallVec<[f64; 16]>;
+pub(crate) type Variables = SmallVec<[f64; 16]>;
 
 /// Columns of some particles.
 pub type Columns<'a> = SmallVec<[&'a mut [f64]; 48]>;

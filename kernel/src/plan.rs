@@ -73,13 +73,6 @@ impl Plan {
     pub fn bytes_per_node(&self) -> usize {
         size_of::<crate::grid::Line>()
     }
-
-    /// Bytes per node of the velocity field of a body near a partner of contact: its line, and a second one for normals
-    /// and distances.
-    #[must_use]
-    pub fn bytes_per_node_of_layer(&self) -> usize {
-        2 * size_of::<crate::grid::Line>()
-    }
 }
 
 impl fmt::Display for Plan {

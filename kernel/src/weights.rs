@@ -45,7 +45,7 @@ impl Family {
     /// Offset of the cells by which particles are sorted: those which have the same nodes in the stages are together, and
     /// `stencil` nodes from that cell on are all that they reach.
     #[must_use]
-    pub const fn sort_offset(self, stencil: usize) -> f64 {
+    pub(crate) const fn sort_offset(self, stencil: usize) -> f64 {
         match self {
             Self::Hat => 1.0,
             Self::Gimp => base_offset(stencil),
@@ -76,7 +76,7 @@ pub fn round_off_weight(family: Family) -> f64 {
 
 /// Weights along an axis, those of nodes that are reached by round-off alone set to zero.
 #[must_use]
-pub fn reached<const N: usize>(weights: [f64; N], round_off: f64) -> [f64; N] {
+pub(crate) fn reached<const N: usize>(weights: [f64; N], round_off: f64) -> [f64; N] {
     weights.map(|w| if w > round_off { w } else { 0.0 })
 }
 
@@ -138,7 +138,7 @@ pub fn axis_weights<L: Lanes, const N: usize>(family: Family, f: L, l: L) -> ([L
 
 /// [`axis_weights`] of the linear hat, `N` = 3.
 #[inline(always)]
-pub fn hat_weights<L: Lanes, const N: usize>(f: L) -> ([L; N], [L; N]) {
+pub(crate) fn hat_weights<L: Lanes, const N: usize>(f: L) -> ([L; N], [L; N]) {
     let (zero, one) = (L::splat(0.0), L::splat(1.0));
     let before = f.lt(one);
     let (mut g_0, mut g_2) = (L::select(before, -one, zero), L::select(before, zero, one));
@@ -156,7 +156,7 @@ pub fn hat_weights<L: Lanes, const N: usize>(f: L) -> ([L; N], [L; N]) {
 
 /// Weights and derivatives d/dxi of hats at the two nodes around a particle, `f` cells from the first, in (0, 1).
 #[inline(always)]
-pub fn hat_pair<L: Lanes, const N: usize>(f: L) -> ([L; N], [L; N]) {
+pub(crate) fn hat_pair<L: Lanes, const N: usize>(f: L) -> ([L; N], [L; N]) {
     let one = L::splat(1.0);
     let mut w = [one - f; N];
     let mut g = [-one; N];
@@ -168,7 +168,7 @@ pub fn hat_pair<L: Lanes, const N: usize>(f: L) -> ([L; N], [L; N]) {
 /// The same at three nodes of which the second is at most `f` cells before the particle, in [0, 1): where some particles lie on
 /// it. All others have the numbers of [`hat_pair`], and nothing at the first node.
 #[inline(always)]
-pub fn hat_triple<L: Lanes, const N: usize>(f: L) -> ([L; N], [L; N]) {
+pub(crate) fn hat_triple<L: Lanes, const N: usize>(f: L) -> ([L; N], [L; N]) {
     let (zero, half, one) = (L::splat(0.0), L::splat(0.5), L::splat(1.0));
     let tie = f.eq(zero);
     let mut w = [zero; N];
@@ -182,7 +182,7 @@ pub fn hat_triple<L: Lanes, const N: usize>(f: L) -> ([L; N], [L; N]) {
 
 /// [`axis_weights`] of GIMP, with `quarter` = 1/(4 l).
 #[inline(always)]
-pub fn gimp_weights<L: Lanes, const N: usize>(f: L, l: L, quarter: L) -> ([L; N], [L; N]) {
+pub(crate) fn gimp_weights<L: Lanes, const N: usize>(f: L, l: L, quarter: L) -> ([L; N], [L; N]) {
     let (zero, one, two) = (L::splat(0.0), L::splat(1.0), L::splat(2.0));
     if N == 4 {
         let mut w = [zero; N];
@@ -224,7 +224,7 @@ pub fn gimp_weights<L: Lanes, const N: usize>(f: L, l: L, quarter: L) -> ([L; N]
 ///
 /// `first` is the radius of the first node in cells, `inverse_radius` one over that of the particle.
 #[inline(always)]
-pub fn weigh_by_radius<L: Lanes, const N: usize>(
+pub(crate) fn weigh_by_radius<L: Lanes, const N: usize>(
     g: &mut [L; N],
     f: L,
     [l, quarter]: [L; 2],
@@ -260,7 +260,7 @@ fn closed<L: Lanes, const N: usize>(w_0: L, w_2: L, g_0: L, g_2: L) -> ([L; N], 
 /// Factors of gradients of least squares, in the place of derivatives d/dxi of quadratic B-splines: weight times distance over
 /// `D_p`, which is 1/4 in cells, at the nodes of an axis (Hu et al. 2018, eq. 18).
 #[inline(always)]
-pub fn least_squares_weights<L: Lanes, const N: usize>(f: L, w: &[L; N]) -> [L; N] {
+pub(crate) fn least_squares_weights<L: Lanes, const N: usize>(f: L, w: &[L; N]) -> [L; N] {
     let mut g = *w;
     for n in 0..N {
         g[n] = w[n] * (L::splat(4.0) * (L::splat(n as f64) - f));
@@ -274,7 +274,7 @@ pub fn least_squares_weights<L: Lanes, const N: usize>(f: L, w: &[L; N]) -> [L; 
 /// The derivative of a linear hat is 1 in the cell below its node and -1 in the one above, so that minus the sum of the
 /// derivatives up to a node is the part of the domain in the cell above that node. That holds for all families.
 #[inline(always)]
-pub fn cell_mean_weights<L: Lanes, const N: usize>(g: &[L; N]) -> [L; N] {
+pub(crate) fn cell_mean_weights<L: Lanes, const N: usize>(g: &[L; N]) -> [L; N] {
     let half = L::splat(0.5);
     let mut weights = *g;
     let mut below = L::splat(0.0);

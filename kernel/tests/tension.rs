@@ -6,7 +6,7 @@ use crate::common::{
 };
 use proctor_laws::NeoHookean;
 use proctor_scene::plan::PlanOptions;
-use proctor_scene::simulation::{InitialState, MOST_UNSEEN, Simulation, StepErrorKind, plan};
+use proctor_scene::simulation::{InitialState, Simulation, StepErrorKind, plan};
 use proctor_scene::{
     BoxLoad, Damping, Dimension, DomainUpdate, History, PlaneCondition, Scene, StressScheme,
     Traction, Weighting,
@@ -18,6 +18,8 @@ const POISSON: f64 = 0.3;
 /// Nominal stress of the bars \[Pa\].
 const PULL: f64 = 2.0e4;
 const H: f64 = 0.1;
+/// Share of the energy in motion that no node sees from which a run stops.
+const MOST_UNSEEN: f64 = 0.04;
 const LENGTH: f64 = 1.0;
 const GIMP: [Weighting; 2] = [
     Weighting::UniformGimp,

@@ -9,7 +9,8 @@ use super::{
     Accepted, Constant, ConstantDefault, Increment, InvalidConstant, Law, Particle, Readable,
     Stress,
 };
-use proctor_kernel::lanes::{Lanes, functions};
+use crate::functions;
+use proctor_kernel::lanes::Lanes;
 use proctor_kernel::layout::Variable;
 
 /// Largest pressure that the clay has borne \[Pa\], compression positive: the end of its ellipse. 0 until a stress has

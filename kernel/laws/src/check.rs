@@ -1,7 +1,8 @@
 //! Check of a law: what every law must hold, in one line of its author's test.
 
+use crate::point::{Point, PointFault};
 use proctor_kernel::lanes::{LaneChoice, Selected};
-use proctor_kernel::laws::{AnyLaw, Component, Point, PointFault};
+use proctor_kernel::laws::{AnyLaw, Component};
 use std::fmt;
 
 /// A matrix, row by row.

@@ -3,7 +3,8 @@
 use super::principal::spectrum;
 use super::tensor::{Matrix, inner};
 use super::{Constant, Increment, Isotropic, Law, Particle, Readable, Stress};
-use proctor_kernel::lanes::{Backend, Kernel, Lanes, Selected, functions};
+use crate::functions;
+use proctor_kernel::lanes::{Backend, Kernel, Lanes, Selected};
 
 /// Hencky's elasticity: Kirchhoff stress tau = J sigma = lambda tr(e) 1 + 2 mu e of the logarithmic strain e = ln(F F^T)/2.
 ///

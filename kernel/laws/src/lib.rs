@@ -12,13 +12,17 @@
 mod band;
 mod check;
 mod elasticity;
+pub mod functions;
 mod gap;
+mod law_type;
 mod marks;
 pub mod plastic;
+mod point;
 mod pressurized_fluid;
 pub mod principal;
 mod state;
 mod strength;
+pub mod tensor;
 
 pub use band::Band;
 pub use cam_clay::PRECONSOLIDATION;
@@ -26,14 +30,16 @@ pub use check::{LawFault, LawProperty, check_law};
 pub use drucker_prager::ConeMatch;
 pub use elasticity::Isotropic;
 pub use gap::{GAP, TensionApex};
+pub use law_type::{Choice, LawType, Readable};
 pub use linear_elastic::ObjectiveRate;
 pub use mohr_coulomb::{Residual, Softening};
 pub use plastic::{ReturnedStress, Yielding};
+pub use point::{Point, PointFault};
 pub use pressurized_fluid::PressurizedFluid;
 pub use proctor_kernel::laws::{
-    Accepted, AnyLaw, BLOCK, Block, Choice, Component, Constant, ConstantDefault, Curve, Gradients,
-    Increment, InvalidConstant, Law, LawType, Particle, Point, PointFault, Readable, Rows,
-    StoredParticle, Strain, StrainRange, Strained, Stress, UNDEFORMED, UNPRESSED, tensor,
+    Accepted, AnyLaw, BLOCK, Block, Component, Constant, ConstantDefault, Curve, Gradients,
+    Increment, InvalidConstant, Law, Particle, Rows, StoredParticle, Strain, StrainRange, Strained,
+    Stress, UNDEFORMED, UNPRESSED,
 };
 pub use state::EquationOfState;
 

@@ -2,8 +2,8 @@
 
 use super::tensor::{Matrix, inner};
 use super::{Constant, Increment, Isotropic, Law, Particle, Readable, Stress};
+use crate::functions::ln;
 use proctor_kernel::lanes::Lanes;
-use proctor_kernel::lanes::functions::ln;
 
 /// Compressible neo-Hookean elasticity: sigma = (mu (F F^T - 1) + lambda ln J 1) / J.
 #[derive(Clone, Copy, Debug, PartialEq)]

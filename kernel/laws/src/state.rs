@@ -1,7 +1,8 @@
 //! The pressure of a fluid as a function of its volume.
 
 use super::{Accepted, Constant, ConstantDefault, Increment};
-use proctor_kernel::lanes::{Lanes, functions};
+use crate::functions;
+use proctor_kernel::lanes::Lanes;
 
 /// Bulk modulus of a fluid.
 pub(super) const BULK: Constant = Constant {

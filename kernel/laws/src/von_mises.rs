@@ -8,7 +8,8 @@ use super::{
     Accepted, Band, Choice, Constant, ConstantDefault, Curve, InvalidConstant, LinearElastic,
     Readable, Rows, band,
 };
-use proctor_kernel::lanes::{Lanes, functions};
+use crate::functions;
+use proctor_kernel::lanes::Lanes;
 
 /// Von Mises: sqrt(3 J_2) <= Y(k) with the yield stress Y(k) = Y_0 + H k + Q (1 - exp(-b k)) of the plastic strain k
 /// (Voce 1955 where Q > 0), or along straight lines between marks. It is zero where softening would make it less.

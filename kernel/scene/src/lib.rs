@@ -28,6 +28,9 @@
 
 pub mod plan;
 pub mod prelude;
+mod queries;
+mod residual_motion;
+mod result_warnings;
 mod running;
 mod setup;
 mod start_error;
@@ -52,6 +55,8 @@ pub use proctor_kernel::model::{
 /// Simulations of scenes, with what the kernel and contact have for them.
 pub mod simulation {
     pub use crate::plan::plan;
+    pub use crate::residual_motion::ResidualMotion;
+    pub use crate::result_warnings::ResultWarning;
     pub use crate::running::Simulation;
     pub use crate::setup::{
         InitialField, InitialState, MemoryEstimate, Options, StartBody, StartState, estimate_memory,

@@ -5,7 +5,7 @@ pub use crate::setup::{InitialState, Options};
 pub use crate::values::{Body, BodyEntry, Scene};
 pub use proctor_contact::{Contact, ContactHandle, ContactNormal, SurfaceHandle};
 pub use proctor_kernel::lanes::Lanes;
-pub use proctor_kernel::laws::{AnyLaw, Component, Increment, Law, Particle, Point, Stress};
+pub use proctor_kernel::laws::{AnyLaw, Component, Increment, Law, Particle, Stress};
 pub use proctor_kernel::layout::Variable;
 pub use proctor_kernel::model::{
     Damping, Dimension, History, Mesh, PlaneCondition, Shape, StressScheme, TimeStep, Transfer,
@@ -16,4 +16,4 @@ pub use proctor_kernel::simulation::{
     InteractionFault, NodalConditions, Node, PairList, PlaneSums, Slab, SlabInteraction, SlabPart,
     StepContext, StepError, StepInfo, StepUpdate, StepView, VelocityMapping,
 };
-pub use proctor_laws::{Hencky, LinearElastic, NeoHookean, ObjectiveRate, check_law};
+pub use proctor_laws::{Hencky, LinearElastic, NeoHookean, ObjectiveRate, Point, check_law};

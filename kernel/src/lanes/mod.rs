@@ -137,7 +137,7 @@ pub fn load<L: Lanes>(column: &[f64], at: usize, count: usize) -> L {
 
 /// Stores up to `L::WIDTH` values.
 #[inline(always)]
-pub fn store<L: Lanes>(value: L, column: &mut [f64], at: usize, count: usize) {
+pub(crate) fn store<L: Lanes>(value: L, column: &mut [f64], at: usize, count: usize) {
     if count == L::WIDTH {
         value.store(&mut column[at..at + L::WIDTH]);
     } else {
@@ -188,7 +188,7 @@ pub enum LaneChoice {
 impl LaneChoice {
     /// The word of the command line.
     #[must_use]
-    pub fn word(self) -> &'static str {
+    pub(crate) fn word(self) -> &'static str {
         match self {
             Self::Auto => "auto",
             Self::Avx512 => "avx512",

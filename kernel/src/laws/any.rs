@@ -1,6 +1,6 @@
-//! Laws of any type, and types of laws that scene files name.
+//! Laws of any type.
 
-use super::{Choice, Constant, Curve, Law, Rows, Strain};
+use super::{Law, Strain};
 use std::fmt;
 use std::ops::Deref;
 use std::sync::Arc;
@@ -64,59 +64,5 @@ impl fmt::Debug for AnyLaw {
 impl PartialEq for AnyLaw {
     fn eq(&self, other: &Self) -> bool {
         self.0.equals(&*other.0)
-    }
-}
-
-/// A law that scene files name.
-pub trait Readable: Law {
-    /// The word of scene files.
-    const NAME: &'static str;
-    /// What it is for, in a few words.
-    const MEANING: &'static str;
-    /// Words that it may be given.
-    const CHOICES: &'static [Choice] = &[];
-
-    /// The law of these values of [`Law::CONSTANTS`] and of these words of [`Readable::CHOICES`], by number.
-    fn read(values: &[f64], choices: &[usize]) -> Self;
-
-    /// The same with rows of [`Law::CURVES`].
-    #[must_use]
-    fn with_curves(self, _curves: &[Rows]) -> Self
-    where
-        Self: Sized,
-    {
-        self
-    }
-}
-
-/// A type of law, as it stands in a list.
-#[derive(Clone, Copy, Debug)]
-pub struct LawType {
-    /// The word of scene files.
-    pub name: &'static str,
-    /// What it is for, in a few words.
-    pub meaning: &'static str,
-    /// Numbers that it needs.
-    pub constants: &'static [Constant],
-    /// Words that it may be given.
-    pub choices: &'static [Choice],
-    /// Curves that it may be given.
-    pub curves: &'static [Curve],
-    /// Makes one; see [`Readable::read`] and [`Readable::with_curves`].
-    pub read: fn(&[f64], &[usize], &[Rows]) -> AnyLaw,
-}
-
-impl LawType {
-    /// The kind of a type.
-    #[must_use]
-    pub const fn of<M: Readable>() -> Self {
-        Self {
-            name: M::NAME,
-            meaning: M::MEANING,
-            constants: M::CONSTANTS,
-            choices: M::CHOICES,
-            curves: M::CURVES,
-            read: |values, choices, curves| M::read(values, choices).with_curves(curves).into(),
-        }
     }
 }

@@ -41,19 +41,6 @@ pub enum Accepted {
     Finite,
 }
 
-/// One of several words that a law may be given; the first is the default.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Choice {
-    /// Key in scene files.
-    pub key: &'static str,
-    /// Words.
-    pub words: &'static [&'static str],
-    /// What is chosen.
-    pub meaning: &'static str,
-    /// What is wrong with the key where another law, `{law}`, stands.
-    pub elsewhere: &'static str,
-}
-
 /// Rows of a curve.
 pub type Rows = Vec<[f64; 2]>;
 

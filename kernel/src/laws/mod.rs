@@ -5,18 +5,16 @@
 
 mod any;
 mod constants;
-mod point;
 mod stored_particle;
 mod strain;
 mod stress;
 pub mod tensor;
 
-pub use any::{AnyLaw, LawType, Readable};
-pub use constants::{Accepted, Choice, Constant, ConstantDefault, Curve, InvalidConstant, Rows};
-pub use point::{Point, PointFault};
+pub use any::AnyLaw;
+pub use constants::{Accepted, Constant, ConstantDefault, Curve, InvalidConstant, Rows};
 pub use stored_particle::StoredParticle;
-pub(crate) use strain::MOST_LANES;
-pub use strain::{BLOCK, Block, Gradients, HOOP, Strain, Strained};
+pub use strain::{BLOCK, Block, Gradients, Strain, Strained};
+pub(crate) use strain::{HOOP, MOST_LANES};
 pub use stress::{Component, Stress};
 
 use crate::lanes::Lanes;
@@ -186,7 +184,7 @@ impl PartialEq for StrainRange {
 impl StrainRange {
     /// True for a change of volume J - 1 beyond the range.
     #[must_use]
-    pub fn is_exceeded(&self, volume_change: f64) -> bool {
+    pub(crate) fn is_exceeded(&self, volume_change: f64) -> bool {
         volume_change.abs() > self.most_volume_change
     }
 }

@@ -18,7 +18,7 @@ pub struct StoredParticle<'a> {
 impl StoredParticle<'_> {
     /// Asks of the particle: what is not asked for need not be read where the question is known to the compiler.
     #[inline(always)]
-    pub fn ask<T>(&self, question: impl FnOnce(&Particle<'_>) -> T) -> T {
+    pub(crate) fn ask<T>(&self, question: impl FnOnce(&Particle<'_>) -> T) -> T {
         let &Self { set, density, p } = self;
         let kept;
         let mut variables: &[f64] = &[];

@@ -21,9 +21,10 @@ pub const BLOCK: usize = 64;
 pub(super) const MOST_VARIABLES: usize = 16;
 
 /// Component of [`Gradients`] that is the hoop strain rate where the first of two axes is a radius.
-pub const HOOP: usize = 4;
+pub(crate) const HOOP: usize = 4;
 
-/// Velocity gradients of a block \[1/s\]: component D a + b of particle i at `[D * a + b][i]`, and [`HOOP`]. A whole group of
+/// Velocity gradients of a block \[1/s\]: component D a + b of particle i at `[D * a + b][i]`, and that around
+/// the axis of revolution at `[4][i]`. A whole group of
 /// lanes may be written behind the last particle.
 pub struct Gradients(pub [[f64; BLOCK + MOST_LANES]; 9]);
 
@@ -41,7 +42,7 @@ impl Gradients {
     /// Those of a group that begins at particle `at` of the block.
     #[inline(always)]
     #[must_use]
-    pub fn load<L: Lanes, const D: usize>(&self, at: usize) -> Matrix<L> {
+    pub(crate) fn load<L: Lanes, const D: usize>(&self, at: usize) -> Matrix<L> {
         // One bound for all components.
         let at = at.min(BLOCK);
         let mut gradient = [[L::splat(0.0); 3]; 3];
@@ -51,18 +52,6 @@ impl Gradients {
             }
         }
         gradient
-    }
-
-    /// Keeps those of a group that begins at particle `at < BLOCK` of the block, and with them its lanes without
-    /// particles, which the next group writes over.
-    #[inline(always)]
-    pub fn store<L: Lanes, const D: usize>(&mut self, gradient: &Matrix<L>, at: usize) {
-        let at = at.min(BLOCK);
-        for a in 0..D {
-            for b in 0..D {
-                gradient[a][b].store(&mut self.0[D * a + b][at..at + MOST_LANES]);
-            }
-        }
     }
 }
 

@@ -15,4 +15,5 @@ pub use method::{
 pub use proctor_geometry::mesh::{Mesh, PlaneCondition};
 pub use proctor_geometry::shape::{Dimension, ParticleSeed, Shape, Vector};
 pub use settings::{CycleSettings, OnImbalance, Outside, plane_acts};
-pub use water::{POROSITIES, PoreWater};
+pub(crate) use water::POROSITIES;
+pub use water::PoreWater;

@@ -21,7 +21,7 @@ pub struct PoreWater {
 }
 
 /// Least and largest porosity of a particle.
-pub const POROSITIES: [f64; 2] = [0.01, 0.99];
+pub(crate) const POROSITIES: [f64; 2] = [0.01, 0.99];
 
 impl PoreWater {
     /// Density of the skeleton without water at the start \[kg/m³\].
@@ -41,14 +41,14 @@ impl PoreWater {
     /// \[N s/m⁴\]: n² `rho_w` g / k.
     #[must_use]
     #[inline]
-    pub fn drag(&self, porosity: f64, axis: usize) -> f64 {
+    pub(crate) fn drag(&self, porosity: f64, axis: usize) -> f64 {
         let by_gravity = self.density * self.conductivity_gravity / self.conductivity[axis];
         porosity * porosity * by_gravity
     }
 
     /// Drag along each axis over that along the first.
     #[must_use]
-    pub fn drag_ratios(&self) -> Vector {
+    pub(crate) fn drag_ratios(&self) -> Vector {
         self.conductivity.map(|k| self.conductivity[0] / k)
     }
 

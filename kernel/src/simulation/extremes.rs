@@ -13,7 +13,7 @@ use crate::simulation::values::{Extremes, MOST_STRETCH_RATIO};
 impl Cycle {
     /// Largest deformations seen so far.
     #[must_use]
-    pub fn extremes(&self) -> Extremes {
+    pub(crate) fn extremes(&self) -> Extremes {
         let mut all = self.state.extremes;
         for (set, body) in self.state.sets.iter().zip(&self.model.bodies) {
             if body.motion.is_some() {

@@ -99,14 +99,7 @@ impl Cycle {
     }
 
     pub(super) fn particle_at(&self, set: usize, p: usize) -> ParticleAt {
-        let (mass, volume) = (self.particle_mass(set, p), self.particle_volume(set, p));
-        ParticleAt {
-            id: self.state.sets[set].id[p],
-            body: self.model.bodies[set].id,
-            position: self.position(set, p),
-            volume,
-            mass,
-        }
+        self.view().particle_at(set, p)
     }
 
     /// Takes four nodes per axis once a particle domain exceeds half a cell.

@@ -157,7 +157,7 @@ impl<'a> Slab<'a> {
 impl Grid {
     /// A grid without particles.
     #[must_use]
-    pub fn new(shape: GridShape, team: Arc<Team>, least_share: Option<usize>) -> Self {
+    pub(crate) fn new(shape: GridShape, team: Arc<Team>, least_share: Option<usize>) -> Self {
         let slabs = std::iter::once(0..shape.nodes[0]).collect();
         Self {
             fields: vec![VelocityField {
@@ -177,7 +177,12 @@ impl Grid {
     }
 
     /// Sorts the particles, of which functions of a family reach so many nodes per axis, and cuts the planes into slabs of about equal numbers of particles.
-    pub fn sort(&mut self, sets: &mut [ParticleSet], reach: (Family, usize), lanes: Selected) {
+    pub(crate) fn sort(
+        &mut self,
+        sets: &mut [ParticleSet],
+        reach: (Family, usize),
+        lanes: Selected,
+    ) {
         let particles = sets.iter().map(ParticleSet::len).sum::<usize>();
         let team = if particles < 2 * self.least_share {
             &ALONE
@@ -191,7 +196,7 @@ impl Grid {
 
     /// Takes up sets in the order in which they are, after a restart.
     #[inline]
-    pub fn resume(&mut self, sets: &[ParticleSet], stencil: usize) {
+    pub(crate) fn resume(&mut self, sets: &[ParticleSet], stencil: usize) {
         let rows = &mut self.fields[0].rows;
         rows_of(sets, &self.shape, stencil, rows);
         self.cut(sets);
@@ -199,7 +204,7 @@ impl Grid {
 
     /// Has fields for exactly these bodies (indices in order of the identifier) beside that of the phase, with rows for
     /// where their particles are now.
-    pub fn set_owners(&mut self, bodies: &[usize], sets: &[ParticleSet], stencil: usize) {
+    pub(crate) fn set_owners(&mut self, bodies: &[usize], sets: &[ParticleSet], stencil: usize) {
         let owners = self.fields[1..].iter().map(|field| field.owner);
         let water = self.has_water.then_some(Owner::Water);
         let wanted = bodies.iter().map(|&body| Owner::Body(body)).chain(water);
@@ -228,13 +233,13 @@ impl Grid {
     /// Whose fields there are, and their rows in use.
     #[must_use]
     #[inline]
-    pub fn rows(&self) -> Vec<(Owner, ActiveRows)> {
+    pub(crate) fn rows(&self) -> Vec<(Owner, ActiveRows)> {
         let fields = self.fields.iter();
         fields.map(|f| (f.owner, f.rows.clone())).collect()
     }
 
     /// Has these fields again.
-    pub fn set_rows(&mut self, rows: Vec<(Owner, ActiveRows)>) {
+    pub(crate) fn set_rows(&mut self, rows: Vec<(Owner, ActiveRows)>) {
         let mut old = std::mem::take(&mut self.fields);
         for (owner, rows) in rows {
             let known = old.iter().position(|field| field.owner == owner);
@@ -248,7 +253,7 @@ impl Grid {
 
     /// Nodes with mass of the fields of bodies that move freely, with their index, field by field and row by row; `driven` says of a
     /// body whether its motion is prescribed.
-    pub fn free_nodes(
+    pub(crate) fn free_nodes(
         &self,
         driven: impl Fn(usize) -> bool,
     ) -> impl Iterator<Item = (usize, &Line)> {
@@ -260,7 +265,7 @@ impl Grid {
     }
 
     /// The same of the pore water.
-    pub fn water_nodes(&self) -> impl Iterator<Item = (usize, &Line)> {
+    pub(crate) fn water_nodes(&self) -> impl Iterator<Item = (usize, &Line)> {
         let numbers = 0..self.fields.len();
         self.nodes_of(numbers.filter(|number| self.fields[*number].owner == Owner::Water))
     }
@@ -298,7 +303,7 @@ impl Grid {
     /// Who shares the particles: the caller alone where they are too few to be worth a second thread.
     #[must_use]
     #[inline]
-    pub fn team_of_particles(&self) -> &Team {
+    pub(crate) fn team_of_particles(&self) -> &Team {
         if self.slabs.len() == 1 {
             &ALONE
         } else {
@@ -309,7 +314,7 @@ impl Grid {
     /// Most particles that one thread takes at once in a pass over particles, of so many.
     #[must_use]
     #[inline]
-    pub fn share_of_particles(&self, particles: usize) -> usize {
+    pub(crate) fn share_of_particles(&self, particles: usize) -> usize {
         if self.slabs.len() == 1 {
             return particles;
         }
@@ -355,7 +360,7 @@ impl Grid {
     }
 
     /// The same, where each slab brings something along, which also takes what it gives.
-    pub fn visit_with<P>(
+    pub(crate) fn visit_with<P>(
         &mut self,
         parts: impl Iterator<Item = P> + Send,
         act: impl Fn(Slab<'_>, P) + Send + Sync,

@@ -6,7 +6,7 @@ use crate::model::{History, Motion, Vector};
 #[must_use]
 pub fn value(history: &History, time: f64) -> Vector {
     let times = &history.times;
-    let next = rows_until(times.len(), |row| times[row] <= time);
+    let next = times.partition_point(|&row| row <= time);
     if next == 0 {
         return history.values.first().copied().unwrap_or_default();
     }
@@ -18,22 +18,6 @@ pub fn value(history: &History, time: f64) -> Vector {
         let (a, b) = (history.values[next - 1][axis], history.values[next][axis]);
         a + share * (b - a)
     })
-}
-
-/// Number of leading rows that satisfy a condition, of `count` rows in which no row satisfies it after one that does not.
-/// Bisection: it looks at no more rows than `count` has binary digits.
-#[must_use]
-pub fn rows_until(count: usize, mut holds: impl FnMut(usize) -> bool) -> usize {
-    let (mut low, mut high) = (0, count);
-    while low < high {
-        let middle = low + (high - low) / 2;
-        if holds(middle) {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
-    }
-    low
 }
 
 /// Displacement of a surface that moves with a prescribed velocity: the integral of the velocity from time zero, exact,
@@ -52,7 +36,7 @@ impl Displacement {
     #[must_use]
     pub fn new(velocity: &History) -> Self {
         let times = &velocity.times;
-        let first = rows_until(times.len(), |row| times[row] < 0.0);
+        let first = times.partition_point(|&row| row < 0.0);
         let mut sum = [0.0; 3];
         let mut from = (0.0, value(velocity, 0.0));
         let rows = times.iter().zip(&velocity.values).skip(first);
@@ -72,7 +56,7 @@ impl Displacement {
     #[must_use]
     pub fn at(&self, time: f64) -> Vector {
         let times = &self.velocity.times;
-        let next = rows_until(times.len(), |row| times[row] < time);
+        let next = times.partition_point(|&row| row < time);
         let to = (time, value(&self.velocity, time));
         let (from, mut sum) = match next.checked_sub(self.first) {
             None | Some(0) => ((0.0, value(&self.velocity, 0.0)), [0.0; 3]),
@@ -139,7 +123,7 @@ impl BaseVelocity {
             Motion::Velocity(history) => value(history, time),
             Motion::Acceleration(record) => {
                 let times = &record.times;
-                let next = rows_until(times.len(), |row| times[row] <= time);
+                let next = times.partition_point(|&row| row <= time);
                 if next == 0 {
                     return [0.0; 3];
                 }

@@ -292,7 +292,7 @@ pub struct BalanceTraits {
 impl BalanceTraits {
     /// Those of two interactions together.
     #[must_use]
-    pub fn and(self, other: Self) -> Self {
+    pub(crate) fn and(self, other: Self) -> Self {
         Self {
             moves_damping: self.moves_damping || other.moves_damping,
             dissipates: self.dissipates || other.dissipates,

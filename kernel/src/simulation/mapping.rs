@@ -30,11 +30,13 @@ pub(super) fn particle_to_grid<'a>(
     let carries_force = matches!(carry, Carry::All | Carry::Force);
     let instance = |carry| P2gInstance {
         carry,
-        call: if plan.axisymmetric {
-            p2g::axisymmetric_instance(nodes, plan.full_mapping, carry)
-        } else {
-            p2g::instance(plan.axes, nodes, plan.full_mapping, carry)
-        },
+        call: p2g::instance(
+            plan.axes,
+            plan.axisymmetric,
+            nodes,
+            plan.full_mapping,
+            carry,
+        ),
         leaves_parts: p2g::leaves_parts(plan.axes, plan.full_mapping, carry),
     };
     ParticleToGrid {

@@ -160,7 +160,7 @@ impl Cycle {
         }
     }
 
-    /// Hash of the particle state in order of the identifier; see [`state_hash`].
+    /// Hash of the particle state in order of the identifier: the bits of every column of every set.
     #[must_use]
     pub fn state_hash(&self) -> u64 {
         state_hash(&self.state.sets)
@@ -312,7 +312,7 @@ impl ByIdentifier {
 /// FNV-1a hash, 64 bits, over identifier and the bits of every column of all particles in order of the
 /// identifier, set by set. Equal for every number of threads and every kind of lanes.
 #[must_use]
-pub fn state_hash(sets: &[ParticleSet]) -> u64 {
+pub(crate) fn state_hash(sets: &[ParticleSet]) -> u64 {
     let mut hash = 0xcbf2_9ce4_8422_2325_u64;
     let mut add = |word: u64| {
         // A word at a time instead of a byte: eight times faster, and every bit still counts.

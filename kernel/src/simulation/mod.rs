@@ -23,58 +23,50 @@ mod passes;
 mod phase;
 mod rehearsal;
 mod relaxation;
-mod residual_motion;
-mod result_warnings;
+mod result_quality;
 mod spin;
 mod start;
 mod state;
 mod step;
 mod step_view;
 mod tension;
-mod traction_cover;
 mod values;
 mod water;
 mod work_state;
 
 pub use crate::grid::{GridShape, Line};
 pub use crate::stage::solve::{DashpotNode, EmptyNode, PlaneSums, Planes};
-pub use conditions::{describe as describe_conditions, of as conditions};
+pub use conditions::{describe as describe_conditions, nodes_of_traction, of as conditions};
 pub use context::{
     Condition, FieldNodes, NodalConditions, Node, Remap, StepContext, VelocityMapping,
     at_half_step_after,
 };
 pub use fields::{Grid, Owner, Slab, SlabField, VelocityField};
-pub use history::{BaseVelocity, Displacement, rows_until, value as history_value};
+pub use history::{BaseVelocity, Displacement, value as history_value};
 pub use interactions::{
     BalanceTraits, BodyList, Interaction, InteractionClone, Interactions, OwnLines, PairList,
     SharedSlabInteraction, SlabInteraction, SlabMemory, SlabPart,
 };
 pub use mapping::{NodeWeights, node_weights, node_weights_touching};
-pub use measure::state_hash;
 pub use nodes::NodeValues;
-pub use phase::{Phase, PhaseObserver};
+pub use phase::Phase;
 pub use rehearsal::{Part, Rehearsal};
-pub use residual_motion::ResidualMotion;
-pub use result_warnings::{MOST_REMAINDER, ResultWarning};
+pub use result_quality::{MOST_REMAINDER, ResultQuality};
 pub use start::Start;
 pub use step_view::{StepUpdate, StepView};
 pub use values::{
     AbsorbingNode, BodyEnergy, BodyHandle, BodyRun, Bound, Clock, Drift, Energy, EnergyLedger,
     Event, EventKind, Extremes, Groups, InitialOverlap, InteractionError, InteractionFault,
-    Invariant, InvariantMonitor, LEAST_VOLUME_RATIO, MESH, MOST_GAIN, MOST_INCREMENT,
-    MOST_LOST_MOMENTUM, MOST_LOST_SPIN, MOST_STRETCH_RATIO, MOST_UNSEEN, MOST_VOLUME_RATIO,
-    MassCenter, NodalForce, ParticleAt, RestoreError, Saved, SavedArrays, SetupError, Spin, State,
-    StepError, StepErrorKind, StepInfo, Tension, TimeStepAboveCritical, Violation,
+    Invariant, InvariantMonitor, MESH, MOST_STRETCH_RATIO, MassCenter, NodalForce, ParticleAt,
+    RestoreError, Saved, SavedArrays, SetupError, Spin, State, StepError, StepErrorKind, StepInfo,
+    Tension, TimeStepAboveCritical, Violation,
 };
 
 pub use model::Model;
 use work_state::WorkState;
 
-use crate::lanes::Selected;
-use crate::layout::Layout;
 use crate::model::Vector;
 use crate::particles::ParticleSet;
-use crate::plan::Plan;
 use std::sync::Arc;
 
 /// Body force per mass \[m/s²\] of a particle that began at `x_0` and is at `x` at time `t`.
@@ -92,12 +84,6 @@ impl Cycle {
     #[must_use]
     pub fn model(&self) -> &Model {
         &self.model
-    }
-
-    /// The plan.
-    #[must_use]
-    pub fn plan(&self) -> &Plan {
-        &self.model.plan
     }
 
     /// Particle sets, one per body, in the order of the scene.
@@ -118,12 +104,6 @@ impl Cycle {
         self.work.grid.fields[0].rows.count()
     }
 
-    /// Number of velocity fields beside that of the phase: bodies with a boundary, or near a partner of contact.
-    #[must_use]
-    pub fn contact_layers(&self) -> usize {
-        self.work.grid.fields.len() - 1 - usize::from(self.work.grid.has_water)
-    }
-
     /// Time of positions and stresses \[s\].
     #[must_use]
     pub fn time(&self) -> f64 {
@@ -140,18 +120,6 @@ impl Cycle {
     #[must_use]
     pub fn steps(&self) -> u64 {
         self.state.clock.step
-    }
-
-    /// Number of threads in use.
-    #[must_use]
-    pub fn threads(&self) -> usize {
-        self.work.grid.team.count()
-    }
-
-    /// Lanes in use.
-    #[must_use]
-    pub fn lanes(&self) -> Selected {
-        self.model.lanes
     }
 
     /// Events so far.
@@ -211,74 +179,5 @@ impl Cycle {
     pub fn position(&self, body: impl Into<BodyHandle>, p: usize) -> Vector {
         let x = self.particles_of(body).position(p);
         std::array::from_fn(|axis| x[axis] + self.origin()[axis])
-    }
-
-    /// Names of the internal variables of all laws, each once, with the number of the component where there are several.
-    #[must_use]
-    pub fn variables(&self) -> Vec<String> {
-        let mut names: Vec<String> = vec![];
-        for (variable, i, _) in self
-            .state
-            .sets
-            .iter()
-            .flat_map(|set| set.layout.components())
-        {
-            let name = variable.component(i);
-            if !names.contains(&name) {
-                names.push(name);
-            }
-        }
-        names
-    }
-
-    /// Displacement of a particle since the start \[m\], where the plan keeps it.
-    #[must_use]
-    pub fn displacement(&self, body: impl Into<BodyHandle>, p: usize) -> Option<Vector> {
-        let set = self.particles_of(body);
-        let origin = set.vector(set.layout.displacement_origin?, p);
-        let x = set.position(p);
-        Some(std::array::from_fn(|axis| {
-            x[axis] - origin[axis] + self.state.mesh_shift[axis]
-        }))
-    }
-
-    /// Position of a particle at the start in the coordinates of the scene \[m\], where the plan keeps it.
-    #[must_use]
-    pub fn initial_position(&self, body: impl Into<BodyHandle>, p: usize) -> Option<Vector> {
-        let set = self.particles_of(body);
-        let x = set.vector(set.layout.displacement_origin?, p);
-        Some(std::array::from_fn(|axis| {
-            x[axis] + self.model.settings.mesh.origin[axis]
-        }))
-    }
-
-    /// Deformation gradient of a particle, where the plan keeps it.
-    #[must_use]
-    pub fn deformation(&self, body: impl Into<BodyHandle>, p: usize) -> Option<[[f64; 3]; 3]> {
-        self.particles_of(body).deformation(p)
-    }
-
-    /// Mass of a particle \[kg\].
-    #[must_use]
-    pub fn particle_mass(&self, body: impl Into<BodyHandle>, p: usize) -> f64 {
-        self.particles_of(body).columns[Layout::MASS][p]
-    }
-
-    /// Volume of a particle \[m³\].
-    #[must_use]
-    pub fn particle_volume(&self, body: impl Into<BodyHandle>, p: usize) -> f64 {
-        self.particles_of(body).columns[Layout::VOLUME][p]
-    }
-
-    /// External force on a particle \[N\]: its weight, box loads and body force.
-    #[must_use]
-    pub fn external_force(&self, body: impl Into<BodyHandle>, p: usize) -> Vector {
-        let particles = self.particles_of(body);
-        let own = particles
-            .layout
-            .force
-            .map_or([0.0; 3], |first| particles.vector(first, p));
-        let m = particles.columns[Layout::MASS][p];
-        std::array::from_fn(|axis| m * self.model.settings.gravity[axis] + own[axis])
     }
 }

@@ -284,11 +284,8 @@ impl Cycle {
     /// Runs a G2P task on the particles of all bodies that are not driven.
     pub(super) fn run_g2p(&mut self, task: Task) -> Result<(), StepError> {
         let nodes = self.model.family().stage_nodes(self.state.stencil);
-        let call = if self.model.plan.axisymmetric {
-            g2p::axisymmetric_instance(nodes, &task)
-        } else {
-            g2p::instance(self.model.plan.axes, nodes, &task)
-        };
+        let plan = &self.model.plan;
+        let call = g2p::instance(plan.axes, plan.axisymmetric, nodes, &task);
         let mesh = &self.model.settings.mesh;
         let beyond =
             std::array::from_fn(|axis| (mesh.cells[axis] as f64 * mesh.cell[axis]).next_up());

@@ -25,7 +25,7 @@ pub enum Phase {
 }
 
 /// Called with each phase when it has ended.
-pub type PhaseObserver = Box<dyn FnMut(Phase) + Send + Sync>;
+pub(crate) type PhaseObserver = Box<dyn FnMut(Phase) + Send + Sync>;
 
 /// The timer of the phases: reports the end of each to an observer, where there is one.
 #[derive(Default)]

@@ -57,7 +57,6 @@ impl Cycle {
         let settings = &simulation.model.settings;
         simulation.work.tension = TensionWatch::new(settings, &simulation.state.sets);
         simulation.sort_if_stale();
-        simulation.require_carried()?;
         let view = simulation.view();
         for one in simulation.interactions() {
             one.start(&view)?;

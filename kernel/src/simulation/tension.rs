@@ -33,7 +33,7 @@ const TORN: f64 = 0.15;
 const FAST: f64 = 0.05;
 /// Energy from nowhere, over the energy that there was to turn over, above which a run is stopped: FLIP gains up to 0.03 in
 /// sound scenes that turn or collide.
-pub const MOST_CREATED: f64 = 0.05;
+pub(crate) const MOST_CREATED: f64 = 0.05;
 /// Factor over the least share since the growth began above which it is taken to grow: noise of an impact stays what it is.
 const RISEN: f64 = 2.0;
 /// Growth, as a logarithm, within which the share must rise so: a share that rises more slowly than tension drives it has another

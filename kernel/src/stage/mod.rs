@@ -37,7 +37,7 @@ pub struct Mapping {
     pub half_length_column: Option<usize>,
     /// Radius of the lower edge of the mesh \[m\], where the first axis is a radius.
     pub first_radius: f64,
-    /// True where derivatives along the radius are integrals with the radius over particle domains: see [`weigh_by_radius`].
+    /// True where derivatives along the radius are integrals with the radius over particle domains.
     pub weighs_by_radius: bool,
 }
 

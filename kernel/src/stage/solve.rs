@@ -93,7 +93,7 @@ impl Planes<'_> {
     }
 
     #[inline(always)]
-    pub fn for_rows(&mut self, mut act: impl FnMut(&mut [Line])) {
+    pub(crate) fn for_rows(&mut self, mut act: impl FnMut(&mut [Line])) {
         for plane in self.range.clone() {
             for row in self.rows.in_plane(plane) {
                 let span = self.rows.span(plane, row);
@@ -134,7 +134,7 @@ impl Planes<'_> {
     }
 
     /// Folds what lies on ghost nodes onto their mirror nodes: mass and momentum (`lower`), force (`upper`).
-    pub fn fold(&mut self, walls: &[Wall], lower: bool, upper: bool) {
+    pub(crate) fn fold(&mut self, walls: &[Wall], lower: bool, upper: bool) {
         for wall in walls {
             let (ghost, _, mirror) = wall.layers(self.shape);
             if wall.extrapolates {
@@ -201,7 +201,7 @@ impl Planes<'_> {
 
     /// v_I = p_I / m_I in the lower lanes.
     #[inline]
-    pub fn velocities(&mut self) {
+    pub(crate) fn velocities(&mut self) {
         if self.shape.axes == 2 {
             self.divide_by_mass::<2>();
         } else {
@@ -225,7 +225,7 @@ impl Planes<'_> {
     ///
     /// # Errors
     /// Where a loaded node has no mass.
-    pub fn load(&mut self, loads: &[NodeForce]) -> Result<(), EmptyNode> {
+    pub(crate) fn load(&mut self, loads: &[NodeForce]) -> Result<(), EmptyNode> {
         let first = self.first();
         let (shape, rows) = (self.shape, self.rows);
         for load in owned(loads, |l| l.node, first, self.nodes.len()) {
@@ -244,7 +244,7 @@ impl Planes<'_> {
 
     /// v_I += dv_I with dv_I = (f_I/m_I + g) dt, damped (technical manual, algorithm 2, lines 7-11). Adds what local
     /// damping takes to the sums of the owned planes.
-    pub fn accelerate(&mut self, by: &Acceleration, sums: &mut [PlaneSums]) {
+    pub(crate) fn accelerate(&mut self, by: &Acceleration, sums: &mut [PlaneSums]) {
         let (g, dt) = (by.gravity, by.kick);
         match by.local_damping {
             None => self.for_rows(|row| {
@@ -285,7 +285,7 @@ impl Planes<'_> {
 
     /// Adds the power of the reactions of moving walls \[W\], from what the walls are about to change, to the sums
     /// of the owned planes. Per plane, so that the total does not depend on who owns it.
-    pub fn add_power_of_walls(&mut self, walls: &[Wall], kick: f64, sums: &mut [PlaneSums]) {
+    pub(crate) fn add_power_of_walls(&mut self, walls: &[Wall], kick: f64, sums: &mut [PlaneSums]) {
         let per_plane = self.shape.plane_nodes();
         for wall in walls.iter().filter(|w| w.after != [0.0; 3] && kick > 0.0) {
             let (ghost, plane, mirror) = wall.layers(self.shape);
@@ -311,7 +311,12 @@ impl Planes<'_> {
     }
 
     /// The same for the nodes of driven bodies, where free bodies push against them.
-    pub fn add_power_of_driven(&self, driven: &[DrivenNode], kick: f64, sums: &mut [PlaneSums]) {
+    pub(crate) fn add_power_of_driven(
+        &self,
+        driven: &[DrivenNode],
+        kick: f64,
+        sums: &mut [PlaneSums],
+    ) {
         let first = self.first();
         let per_plane = self.shape.plane_nodes();
         if kick > 0.0 {
@@ -331,7 +336,7 @@ impl Planes<'_> {
     }
 
     /// Moves the nodes of driven bodies with their prescribed velocity.
-    pub fn drive(&mut self, driven: &[DrivenNode], increments: bool) {
+    pub(crate) fn drive(&mut self, driven: &[DrivenNode], increments: bool) {
         let first = self.first();
         for d in owned(driven, |d| d.node, first, self.nodes.len()) {
             let node = &mut self.nodes[d.node - first];
@@ -348,7 +353,7 @@ impl Planes<'_> {
 
     /// Adds the power of nodal loads to the sums of the owned planes, after the solve.
     #[inline]
-    pub fn add_power_of_loads(&self, loads: &[NodeForce], sums: &mut [PlaneSums]) {
+    pub(crate) fn add_power_of_loads(&self, loads: &[NodeForce], sums: &mut [PlaneSums]) {
         let first = self.first();
         for load in owned(loads, |l| l.node, first, self.nodes.len()) {
             let v = &self.nodes[load.node - first];
@@ -359,7 +364,7 @@ impl Planes<'_> {
 
     /// Adds kinetic energy and unbalanced force, after a change of velocity over `kick` \[s\], of the mesh nodes to the
     /// sums of the owned planes; ghosts repeat what lies inside.
-    pub fn measure(&self, kick: f64, out: &mut [PlaneSums]) {
+    pub(crate) fn measure(&self, kick: f64, out: &mut [PlaneSums]) {
         let is_mesh = |direction: usize, index: usize| {
             self.shape.nodes[direction] == 1
                 || (index >= GHOSTS_BELOW

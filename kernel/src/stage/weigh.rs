@@ -10,7 +10,7 @@ use std::ops::Range;
 /// Base node, weights and derivatives of the particles of a range, in lanes as the cycle has them. Returns a sum that
 /// depends on every one of them, so that no compiler leaves them out.
 #[must_use]
-pub fn weights(
+pub(crate) fn weights(
     lanes: Selected,
     axes: usize,
     stencil: usize,

@@ -176,7 +176,7 @@ fn nodes_after(
     };
     let set = particles(&shape, stencil, wanted, order);
     let mut nodes = Nodes::new(shape.nodes.iter().product());
-    let map = p2g::instance(axes, stencil, full, carry);
+    let map = p2g::instance(axes, false, stencil, full, carry);
     let groups = map(
         lanes,
         P2g {
@@ -338,7 +338,7 @@ fn gathered(
             excess: &excess,
             task,
         };
-        g2p::instance(axes, nodes_of_stage, &task)(lanes, call)
+        g2p::instance(axes, false, nodes_of_stage, &task)(lanes, call)
     };
     (set.columns, found)
 }
@@ -434,7 +434,7 @@ fn two_nodes_of_a_hat_have_the_numbers_of_three() {
         for full in [false, true] {
             let map = |nodes: usize, p: usize| {
                 let mut lines = Nodes::new(shape.nodes.iter().product());
-                p2g::instance(axes, nodes, full, Carry::All)(
+                p2g::instance(axes, false, nodes, full, Carry::All)(
                     Selected::any(),
                     P2g {
                         columns: &set.columns,

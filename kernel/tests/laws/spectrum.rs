@@ -3,7 +3,8 @@
 use crate::common::all_lanes;
 use crate::laws::support::{numbers, tensor};
 use nalgebra::{Matrix3, Rotation3, Vector3};
-use proctor_kernel::lanes::{Backend, Kernel, Lanes, Selected, functions};
+use proctor_kernel::lanes::{Backend, Kernel, Lanes, Selected};
+use proctor_laws::functions;
 use proctor_laws::principal::spectrum;
 
 /// Values and squares of directions of a stress in the order of a law.

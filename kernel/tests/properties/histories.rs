@@ -1,7 +1,7 @@
-//! Histories in time: their integrals, and how many rows a look-up reads.
+//! Histories in time: their integrals.
 
 use proctor_scene::History;
-use proctor_scene::simulation::{Displacement, history_value, rows_until};
+use proctor_scene::simulation::{Displacement, history_value};
 
 /// A velocity with some rows, of which the first lies before, at or after time zero.
 fn swinging(rows: usize, begin: f64) -> History {
@@ -65,22 +65,4 @@ fn a_ramp_has_its_closed_form() {
         assert_eq!(way.at(time), [exact, 0.0, -exact]);
     }
     assert_eq!(way.mean_velocity(1.0, 1.0), [2.0, 0.0, -2.0]);
-}
-
-/// A row is found by as many looks as the number of rows has binary digits, so that a record a hundred times as long costs
-/// seven more looks in each step.
-#[test]
-fn a_look_up_does_not_read_all_rows() {
-    for rows in [0_usize, 1, 2, 41, 401, 4001, 400_001] {
-        let digits = (usize::BITS - rows.leading_zeros()) as usize;
-        for wanted in [0, rows / 3, rows / 2, rows.saturating_sub(1), rows] {
-            let mut read = 0;
-            let found = rows_until(rows, |row| {
-                read += 1;
-                row < wanted
-            });
-            assert_eq!(found, wanted);
-            assert!(read <= digits, "{read} of {rows} rows");
-        }
-    }
 }

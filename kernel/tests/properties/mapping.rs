@@ -102,7 +102,7 @@ fn check(
     let mut nodes = Nodes::new(shape.nodes.iter().product());
     let layers = shape.bases()[0];
     let viscous_rate = if full { 0.5 } else { 0.0 };
-    p2g::instance(axes, family.stage_nodes(stencil), full, Carry::All)(
+    p2g::instance(axes, false, family.stage_nodes(stencil), full, Carry::All)(
         Selected::any(),
         P2g {
             columns: &set.columns,

@@ -186,7 +186,7 @@ fn the_mass_gradient_has_the_moment_of_the_mass() {
             let half_length = if stencil == 3 { 0.3 } else { 0.7 };
             let mapping = Mapping::new(&shape, Family::Gimp, [half_length; 3], None);
             let mut nodes = Nodes::new(shape.nodes.iter().product());
-            p2g::instance(axes, stencil, false, Carry::MassGradient)(
+            p2g::instance(axes, false, stencil, false, Carry::MassGradient)(
                 Selected::any(),
                 P2g {
                     columns: &set.columns,

@@ -69,7 +69,7 @@ fn force_inside(mut set: ParticleSet, stencil: usize, full: bool) -> f64 {
         .with_radius(0.0, true);
     let mut nodes = Nodes::new(shape.nodes.iter().product());
     let layers = shape.bases()[0];
-    p2g::axisymmetric_instance(stencil, full, Carry::All)(
+    p2g::instance(2, true, stencil, full, Carry::All)(
         Selected::any(),
         P2g {
             columns: &set.columns,

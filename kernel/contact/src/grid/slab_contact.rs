@@ -65,8 +65,8 @@ impl SharedContact {
             near: &self.near,
             interfaces: &self.interfaces,
             sets: context.particles(),
-            prescribed: context.prescribed_velocities(),
-            walls: context.walls(),
+            prescribed: context.prescribed,
+            walls: &context.walls,
             stencil: context.stencil(),
             family: context.family(),
         }
@@ -93,7 +93,7 @@ impl SharedSlabInteraction for SharedContact {
             planes.clear();
             let runs = |layers| interface.in_layers(layers);
             context.map_gradient(face.body, runs, &mut planes);
-            surface::fold_gradient(&mut planes, context.walls());
+            surface::fold_gradient(&mut planes, &context.walls);
         }
     }
 
@@ -123,7 +123,7 @@ impl SharedSlabInteraction for SharedContact {
         if damping.is_some() {
             // Contact does not know what the planes hold, and damps it too.
             for planes in slab.planes() {
-                planes.constrain(context.walls(), true);
+                planes.constrain(&context.walls, true);
             }
         }
         for (sums, done) in sums.iter_mut().zip(&done.sums) {
@@ -146,7 +146,7 @@ impl SharedSlabInteraction for SharedContact {
             lists,
             ..
         } = state_of(&mut *own.state);
-        match context.remap_of_velocities() {
+        match context.remap {
             None => {}
             Some(Remap::OldPositions) => {
                 meetings.act(

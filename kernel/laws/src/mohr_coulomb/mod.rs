@@ -17,7 +17,8 @@ use super::{
     Accepted, Band, Choice, Constant, ConstantDefault, InvalidConstant, LinearElastic, Readable,
     band,
 };
-use proctor_kernel::lanes::{Lanes, functions};
+use crate::functions;
+use proctor_kernel::lanes::Lanes;
 use proctor_kernel::layout::Variable;
 use region::Strength;
 

@@ -1,7 +1,8 @@
 //! Strength that falls with plastic strain, and how scene files say it.
 
+use crate::functions;
 use crate::{Accepted, Choice, Constant, ConstantDefault, InvalidConstant};
-use proctor_kernel::lanes::{Lanes, functions};
+use proctor_kernel::lanes::Lanes;
 
 /// How strength falls from its peak to what is left of it.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,13 +2,13 @@
 
 use crate::values::{InitialStress, Scene};
 use proctor_geometry::number::Number;
-use proctor_kernel::laws::{AnyLaw, Particle, Point, UNDEFORMED, UNPRESSED};
+use proctor_kernel::laws::{AnyLaw, Particle, UNDEFORMED, UNPRESSED};
 use proctor_kernel::layout::Layout;
 use proctor_kernel::model::Vector;
 use proctor_kernel::particles::ParticleSet;
 use proctor_kernel::simulation::{BodyRun, SetupError};
 use proctor_kernel::stage::g2p::ParticleMaxima;
-use proctor_laws::PRECONSOLIDATION;
+use proctor_laws::{PRECONSOLIDATION, Point};
 
 /// Sets the stress of a body, by its index, at the start, what its law remembers of it, and what the first time step depends on.
 ///

@@ -7,6 +7,7 @@ mod memory_estimate;
 mod options;
 mod pressure;
 mod start_state;
+mod traction_cover;
 
 pub use memory_estimate::{MemoryEstimate, estimate_memory};
 pub use options::{InitialField, InitialState, Options};
@@ -126,7 +127,9 @@ pub(crate) fn set_up(scene: &Scene, options: &Options) -> Result<Cycle, SetupErr
         least_share: options.least_share,
         is_undeformed: options.initial.is_none() && options.start.is_none(),
     };
-    Cycle::new(model, start)
+    let cycle = Cycle::new(model, start)?;
+    traction_cover::require_carried(&cycle.view())?;
+    Ok(cycle)
 }
 
 /// The threads that were asked for, else as many of the machine as there is work for.

@@ -209,7 +209,7 @@ impl Cycle {
 
 impl CycleSettings {
     /// The absorbing planes: axis of the normal, and 0 for the lower or 1 for the upper plane.
-    pub fn absorbing_planes(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
+    pub(crate) fn absorbing_planes(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
         self.planes_that_are(PlaneCondition::Absorbing)
     }
 

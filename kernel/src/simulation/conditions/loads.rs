@@ -316,7 +316,9 @@ pub(in crate::simulation) fn load_on(
 
 /// Nodes that a traction acts on, each with its area \[m²\]: the integral of its hat, exact for rectangles that cut cells. Where the
 /// scene is axisymmetric, areas are those of rings, as the particles have them.
-pub(in crate::simulation) fn areas(
+/// # Errors
+/// [`SetupError::Load`] where its rectangle is not inside the mesh.
+pub fn areas(
     settings: &CycleSettings,
     shape: &GridShape,
     i: usize,

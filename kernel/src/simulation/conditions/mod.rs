@@ -11,7 +11,8 @@
 
 mod light;
 
-pub(super) use loads::{areas as nodes_of_traction, load_on};
+pub use loads::areas as nodes_of_traction;
+pub(super) use loads::load_on;
 
 use super::{Cycle, history_value};
 use crate::grid::GridShape;

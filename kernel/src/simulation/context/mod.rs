@@ -122,7 +122,7 @@ impl NodalConditions {
 }
 
 /// Boundary planes: six at most.
-pub type Walls = SmallVec<[Wall; 6]>;
+pub(crate) type Walls = SmallVec<[Wall; 6]>;
 
 /// The context of a visit of all slabs, beside the fields.
 pub struct StepContext<'a> {
@@ -132,11 +132,11 @@ pub struct StepContext<'a> {
     /// Lower corner of the mesh in the coordinates of the scene \[m\].
     pub(super) origin: Vector,
     /// Walls, with the velocities of this visit.
-    pub(super) walls: Walls,
+    pub walls: Walls,
     /// Velocities half a step before and after of bodies whose motion is prescribed \[m/s\].
-    pub(super) prescribed: &'a [Option<[Vector; 2]>],
+    pub prescribed: &'a [Option<[Vector; 2]>],
     /// The second mapping that the velocities are of, if they are of one.
-    pub(super) remap: Option<Remap>,
+    pub remap: Option<Remap>,
     /// True if kinetic energy and residual are measured.
     pub(super) measure: bool,
     /// True if velocities still change when all slabs are done, and sums are taken after that.
@@ -148,13 +148,6 @@ impl<'a> StepContext<'a> {
     #[must_use]
     pub fn nodal(&self) -> &'a NodalConditions {
         self.nodal
-    }
-
-    /// Boundary planes with a condition, with the velocities of this visit.
-    #[must_use]
-    #[inline]
-    pub fn walls(&self) -> &[Wall] {
-        &self.walls
     }
 
     /// Those for the water, or those for what it flows through.
@@ -176,13 +169,6 @@ impl<'a> StepContext<'a> {
         (self.conditions.iter()).filter(move |condition| !water || condition.acts_on_water())
     }
 
-    /// Velocities half a step before and after of bodies whose motion is prescribed \[m/s\].
-    #[must_use]
-    #[inline]
-    pub fn prescribed_velocities(&self) -> &'a [Option<[Vector; 2]>] {
-        self.prescribed
-    }
-
     /// Particle sets, one per body.
     #[must_use]
     #[inline]
@@ -202,13 +188,6 @@ impl<'a> StepContext<'a> {
     #[inline]
     pub fn family(&self) -> Family {
         self.mapping.family
-    }
-
-    /// The second mapping that the velocities are of, if they are of one.
-    #[must_use]
-    #[inline]
-    pub fn remap_of_velocities(&self) -> Option<Remap> {
-        self.remap
     }
 
     /// Maps the mass gradient of some particles of a body, by its place, to lines of nodes; `runs` gives them for layers of

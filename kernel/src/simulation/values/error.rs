@@ -285,7 +285,7 @@ pub struct InteractionError(Arc<dyn InteractionFault>);
 impl InteractionError {
     /// The fault, if it is of this type.
     #[must_use]
-    pub fn fault<T: InteractionFault>(&self) -> Option<&T> {
+    pub(crate) fn fault<T: InteractionFault>(&self) -> Option<&T> {
         let fault: &dyn Any = &*self.0;
         fault.downcast_ref()
     }

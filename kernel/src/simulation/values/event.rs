@@ -25,8 +25,7 @@ pub enum EventKind {
     RecordEnded,
     /// Particle domains outgrew half a cell; from here on the stencil has four nodes per axis.
     WiderStencil,
-    /// The first particle whose volume is less than [`LEAST_VOLUME_RATIO`](super::invariants::LEAST_VOLUME_RATIO) of that of
-    /// the start, or more than [`MOST_VOLUME_RATIO`](super::invariants::MOST_VOLUME_RATIO) of it.
+    /// The first particle whose volume is less than a tenth of that of the start, or more than ten times it.
     VolumeRatio {
         /// The particle.
         particle: ParticleAt,

@@ -4,19 +4,19 @@ use std::fmt;
 
 /// Largest energy from nowhere, over what the start and the work done have given so far. Cell crossing alone gave 0.67
 /// (linear functions, USF, ten periods of a bar); an unstable step doubles it again and again.
-pub const MOST_GAIN: f64 = 1.0;
+pub(crate) const MOST_GAIN: f64 = 1.0;
 
 /// Largest norm of a strain increment, |dt grad v|, of a particle in one step.
-pub const MOST_INCREMENT: f64 = 0.5;
+pub(crate) const MOST_INCREMENT: f64 = 0.5;
 
 /// Largest change of momentum that no force accounts for, over the momentum that there is in all directions.
-pub const MOST_LOST_MOMENTUM: f64 = 1e-9;
+pub(crate) const MOST_LOST_MOMENTUM: f64 = 1e-9;
 
 /// Smallest V/V_0 of a particle that raises no event.
-pub const LEAST_VOLUME_RATIO: f64 = 0.1;
+pub(crate) const LEAST_VOLUME_RATIO: f64 = 0.1;
 
 /// Largest V/V_0 of a particle that raises no event.
-pub const MOST_VOLUME_RATIO: f64 = 10.0;
+pub(crate) const MOST_VOLUME_RATIO: f64 = 10.0;
 
 /// Energy that is no more than round-off, over that of the mass at the speed of its waves.
 pub(in crate::simulation) const ROUND_OFF: f64 = 1e-20;
@@ -32,8 +32,8 @@ pub struct InvariantMonitor {
     pub increment: f64,
     /// Largest change of momentum that no force accounts for, over the momentum in all directions.
     pub lost_momentum: f64,
-    /// By which factor volumes may still change before one of them can be outside [`LEAST_VOLUME_RATIO`] to
-    /// [`MOST_VOLUME_RATIO`], as a logarithm: then they are looked at. Infinite once one was seen.
+    /// By which factor volumes may still change before one of them can be outside 0.1 to 10 times that of the start,
+    /// as a logarithm: then they are looked at. Infinite once one was seen.
     pub volume_left: f64,
     /// Since when the run is not to be trusted, and why.
     pub violation: Option<Violation>,
@@ -55,11 +55,11 @@ pub struct Violation {
 /// An invariant of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Invariant {
-    /// Energy from nowhere: [`MOST_GAIN`].
+    /// Energy from nowhere, more than there was.
     Energy,
-    /// A particle is strained too far within a step: [`MOST_INCREMENT`].
+    /// A particle is strained too far within a step, by more than 0.5.
     Increment,
-    /// Momentum that no force accounts for: [`MOST_LOST_MOMENTUM`].
+    /// Momentum that no force accounts for, more than 1e-9 of that in all directions.
     Momentum,
 }
 

@@ -20,22 +20,20 @@ pub use absorbing::AbsorbingNode;
 pub use body::BodyRun;
 pub use clock::{Bound, Clock, Drift, StepInfo};
 pub use energy::{BodyEnergy, Energy};
-pub use error::MESH;
 pub use error::{
-    InitialOverlap, InteractionError, InteractionFault, SetupError, StepError, StepErrorKind,
+    InitialOverlap, InteractionError, InteractionFault, MESH, SetupError, StepError, StepErrorKind,
     TimeStepAboveCritical,
 };
 pub use event::{Event, EventKind};
 pub use extremes::{Extremes, MOST_STRETCH_RATIO};
 pub use handle::BodyHandle;
 pub(super) use invariants::ROUND_OFF;
-pub use invariants::{
-    Invariant, InvariantMonitor, LEAST_VOLUME_RATIO, MOST_GAIN, MOST_INCREMENT, MOST_LOST_MOMENTUM,
-    MOST_VOLUME_RATIO, Violation,
-};
+pub use invariants::{Invariant, InvariantMonitor, Violation};
+pub(crate) use invariants::{MOST_GAIN, MOST_INCREMENT, MOST_LOST_MOMENTUM, MOST_VOLUME_RATIO};
 pub use mass_center::MassCenter;
 pub use nodal_force::NodalForce;
 pub use particle_at::ParticleAt;
-pub use spin::{MOST_LOST_SPIN, Spin};
+pub use spin::Spin;
 pub use state::{EnergyLedger, Groups, RestoreError, Saved, SavedArrays, State};
-pub use tension::{MOST_UNSEEN, Tension};
+pub(crate) use tension::MOST_UNSEEN;
+pub use tension::Tension;

@@ -2,9 +2,6 @@
 
 use crate::model::Vector;
 
-/// Share of the angular momentum whose loss needs no word.
-pub const MOST_LOST_SPIN: f64 = 0.05;
-
 /// Angular momentum of all particles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spin {

@@ -7,7 +7,7 @@ use std::fmt;
 
 /// Share of the energy in motion that no node sees above which a run is stopped. Sound bars have 0.01 when they swing, those
 /// that are torn 0.1 to 0.4.
-pub const MOST_UNSEEN: f64 = 0.04;
+pub(crate) const MOST_UNSEEN: f64 = 0.04;
 
 /// A body in tension that FLIP with MUSL or USF is about to tear.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,35 +1,15 @@
 //! Sums over the pore water of particles: mass, momentum, energies. In order of the identifier.
 
 use crate::layout::Layout;
-use crate::model::{PoreWater, Vector};
+use crate::model::PoreWater;
 use crate::particles::ParticleSet;
 use crate::simulation::Cycle;
 
 impl Cycle {
-    /// True where bodies have water in their pores.
-    #[must_use]
-    pub fn has_water(&self) -> bool {
-        self.work.grid.has_water
-    }
-
     /// Mass of the pore water \[kg\]. It changes as water flows, since particles move with the skeleton.
     #[must_use]
     pub fn water_mass(&self) -> f64 {
         self.sum_of_water(water_mass)
-    }
-
-    /// Momentum of the pore water \[kg m/s\].
-    #[must_use]
-    pub fn water_momentum(&self) -> Vector {
-        std::array::from_fn(|axis| {
-            self.sum_of_water(|water, set, p| {
-                let w = set
-                    .layout
-                    .water
-                    .map_or([0.0; 3], |first| set.vector(first, p));
-                water_mass(water, set, p) * w[axis]
-            })
-        })
     }
 
     /// Kinetic energy of the pore water, and what its compression stores \[J\].

@@ -115,7 +115,7 @@ pub enum FaultKind {
 impl ParticleMaxima {
     /// The larger of two findings; the fault of `self` comes first.
     #[must_use]
-    pub fn and(self, later: Self) -> Self {
+    pub(crate) fn and(self, later: Self) -> Self {
         Self {
             speed_squared: self.speed_squared.max(later.speed_squared),
             wave_speed_squared: self.wave_speed_squared.max(later.wave_speed_squared),
@@ -128,38 +128,32 @@ impl ParticleMaxima {
 
     /// Largest wave speed of the set \[m/s\].
     #[must_use]
-    pub fn wave_speed(&self) -> f64 {
+    pub(crate) fn wave_speed(&self) -> f64 {
         self.wave_speed_squared.max(0.0).sqrt()
     }
 }
 
 /// An interpolation stage, compiled for one dimension, stencil and set of sums.
-pub type G2pFn = fn(Selected, G2p<'_, '_>) -> ParticleMaxima;
+pub(crate) type G2pFn = fn(Selected, G2p<'_, '_>) -> ParticleMaxima;
 
-/// Chooses the instance for a task, by the nodes per axis of [`Family::stage_nodes`](crate::weights::Family::stage_nodes).
+/// Chooses the instance for a task: axes, whether the first of two is a radius, nodes per axis
+/// ([`Family::stage_nodes`](crate::weights::Family::stage_nodes)).
 #[must_use]
-pub fn instance(axes: usize, nodes: usize, task: &Task) -> G2pFn {
-    let gradient = task.strain.is_some() || task.affine == Affine::Tpic;
-    let apic = task.affine == Affine::Apic;
-    match (axes, nodes) {
-        (2, 2) => sums::<2, 2, false>(task, gradient, apic),
-        (2, 3) => sums::<2, 3, false>(task, gradient, apic),
-        (2, _) => sums::<2, 4, false>(task, gradient, apic),
-        (_, 2) => sums::<3, 2, false>(task, gradient, apic),
-        (_, 3) => sums::<3, 3, false>(task, gradient, apic),
-        (_, _) => sums::<3, 4, false>(task, gradient, apic),
+pub fn instance(axes: usize, radial: bool, nodes: usize, task: &Task) -> G2pFn {
+    match (axes, radial) {
+        (2, false) => by_nodes::<2, false>(nodes, task),
+        (2, true) => by_nodes::<2, true>(nodes, task),
+        _ => by_nodes::<3, false>(nodes, task),
     }
 }
 
-/// Chooses the instance where the first of two axes is a radius.
-#[must_use]
-pub fn axisymmetric_instance(nodes: usize, task: &Task) -> G2pFn {
+fn by_nodes<const D: usize, const RADIAL: bool>(nodes: usize, task: &Task) -> G2pFn {
     let gradient = task.strain.is_some() || task.affine == Affine::Tpic;
     let apic = task.affine == Affine::Apic;
     match nodes {
-        2 => sums::<2, 2, true>(task, gradient, apic),
-        3 => sums::<2, 3, true>(task, gradient, apic),
-        _ => sums::<2, 4, true>(task, gradient, apic),
+        2 => sums::<D, 2, RADIAL>(task, gradient, apic),
+        3 => sums::<D, 3, RADIAL>(task, gradient, apic),
+        _ => sums::<D, 4, RADIAL>(task, gradient, apic),
     }
 }
 

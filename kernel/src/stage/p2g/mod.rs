@@ -92,77 +92,64 @@ const INVERSE_INERTIA: f64 = 4.0;
 
 /// A mapping stage, compiled for one dimension, stencil and set of terms. Returns the number of groups in the
 /// layers that the caller owns.
-pub type P2gFn = fn(Selected, P2g<'_>) -> usize;
+pub(crate) type P2gFn = fn(Selected, P2g<'_>) -> usize;
 
-/// Chooses the instance: dimension, nodes per axis ([`Family::stage_nodes`](crate::weights::Family::stage_nodes)), whether particles carry affine velocity or forces of their
-/// own (`full`).
+/// Chooses the instance: axes, whether the first of two is a radius, nodes per axis
+/// ([`Family::stage_nodes`](crate::weights::Family::stage_nodes)), whether particles carry affine velocity or forces of
+/// their own (`full`).
 ///
 /// Without affine velocity, mass and momentum need no derivative and take a shorter loop.
+///
+/// # Panics
+/// For [`Carry::Force`] and [`Carry::MeanStress`] around an axis: force goes with mass and momentum there.
 #[must_use]
-pub fn instance(axes: usize, nodes: usize, full: bool, carry: Carry) -> P2gFn {
-    let gradient = full || matches!(carry, Carry::All | Carry::Force);
-    // An instance of its own, so that the others do not ask for every particle.
-    match carry {
-        Carry::MassGradient => {
-            return match (axes, nodes) {
-                (2, 4) => entry::<2, 4, false, true, MASS_GRADIENT>,
-                (2, _) => entry::<2, 3, false, true, MASS_GRADIENT>,
-                (_, 4) => entry::<3, 4, false, true, MASS_GRADIENT>,
-                (_, _) => entry::<3, 3, false, true, MASS_GRADIENT>,
-            };
+pub fn instance(axes: usize, radial: bool, nodes: usize, full: bool, carry: Carry) -> P2gFn {
+    match (carry, axes, radial) {
+        (Carry::Force | Carry::MeanStress { .. }, _, true) => {
+            panic!("no axisymmetric mapping carries force alone")
         }
-        Carry::MeanStress { .. } => {
-            return match (axes, nodes) {
-                (2, 4) => entry::<2, 4, false, true, MEAN_STRESS>,
-                (2, _) => entry::<2, 3, false, true, MEAN_STRESS>,
-                (_, 4) => entry::<3, 4, false, true, MEAN_STRESS>,
-                (_, _) => entry::<3, 3, false, true, MEAN_STRESS>,
-            };
-        }
-        _ => {}
-    }
-    match (axes, nodes, full, gradient) {
-        (2, 2, false, true) => entry::<2, 2, false, true, NOTHING>,
-        (2, 2, false, false) => entry::<2, 2, false, false, NOTHING>,
-        (2, 2, true, _) => entry::<2, 2, true, true, NOTHING>,
-        (2, 3, false, true) => entry::<2, 3, false, true, NOTHING>,
-        (2, 3, false, false) => entry::<2, 3, false, false, NOTHING>,
-        (2, 3, true, _) => entry::<2, 3, true, true, NOTHING>,
-        (2, _, false, true) => entry::<2, 4, false, true, NOTHING>,
-        (2, _, false, false) => entry::<2, 4, false, false, NOTHING>,
-        (2, _, true, _) => entry::<2, 4, true, true, NOTHING>,
-        (_, 2, false, true) => entry::<3, 2, false, true, NOTHING>,
-        (_, 2, false, false) => entry::<3, 2, false, false, NOTHING>,
-        (_, 2, true, _) => entry::<3, 2, true, true, NOTHING>,
-        (_, 3, false, true) => entry::<3, 3, false, true, NOTHING>,
-        (_, 3, false, false) => entry::<3, 3, false, false, NOTHING>,
-        (_, 3, true, _) => entry::<3, 3, true, true, NOTHING>,
-        (_, _, false, true) => entry::<3, 4, false, true, NOTHING>,
-        (_, _, false, false) => entry::<3, 4, false, false, NOTHING>,
-        (_, _, true, _) => entry::<3, 4, true, true, NOTHING>,
+        // An instance of its own, so that the others do not ask for every particle.
+        (Carry::MassGradient, 2, false) => from_three::<2, MASS_GRADIENT>(nodes),
+        (Carry::MassGradient, _, true) => from_three::<2, RING_GRADIENT>(nodes),
+        (Carry::MassGradient, _, _) => from_three::<3, MASS_GRADIENT>(nodes),
+        (Carry::MeanStress { .. }, 2, false) => from_three::<2, MEAN_STRESS>(nodes),
+        (Carry::MeanStress { .. }, _, _) => from_three::<3, MEAN_STRESS>(nodes),
+        (Carry::All, _, true) => with_gradient::<2, AXISYMMETRIC>(nodes, full),
+        (Carry::All | Carry::Force, 2, false) => with_gradient::<2, NOTHING>(nodes, full),
+        (Carry::All | Carry::Force, _, _) => with_gradient::<3, NOTHING>(nodes, full),
+        // Mass and momentum go with the weights, which are those of the plane around an axis, too.
+        (Carry::Momentum | Carry::Remap, 2, _) if full => with_gradient::<2, NOTHING>(nodes, full),
+        (Carry::Momentum | Carry::Remap, _, _) if full => with_gradient::<3, NOTHING>(nodes, full),
+        (Carry::Momentum | Carry::Remap, 2, _) => by_nodes::<2, false, false, NOTHING>(nodes),
+        (Carry::Momentum | Carry::Remap, _, _) => by_nodes::<3, false, false, NOTHING>(nodes),
     }
 }
 
-/// Chooses the instance where the first of two axes is a radius. It carries force with mass and momentum alone.
-///
-/// # Panics
-/// For [`Carry::Force`] and [`Carry::MeanStress`], which have no axisymmetric instance.
-#[must_use]
-pub fn axisymmetric_instance(nodes: usize, full: bool, carry: Carry) -> P2gFn {
-    match (carry, nodes, full) {
-        (Carry::Force | Carry::MeanStress { .. }, ..) => {
-            panic!("no axisymmetric mapping carries force alone")
-        }
-        (Carry::All, 2, false) => entry::<2, 2, false, true, AXISYMMETRIC>,
-        (Carry::All, 2, true) => entry::<2, 2, true, true, AXISYMMETRIC>,
-        (Carry::All, 3, false) => entry::<2, 3, false, true, AXISYMMETRIC>,
-        (Carry::All, 3, true) => entry::<2, 3, true, true, AXISYMMETRIC>,
-        (Carry::All, _, false) => entry::<2, 4, false, true, AXISYMMETRIC>,
-        (Carry::All, _, true) => entry::<2, 4, true, true, AXISYMMETRIC>,
-        (Carry::MassGradient, 4, _) => entry::<2, 4, false, true, RING_GRADIENT>,
-        (Carry::MassGradient, ..) => entry::<2, 3, false, true, RING_GRADIENT>,
-        // Mass and momentum go with the weights, which are those of the plane.
-        (Carry::Momentum | Carry::Remap, ..) => instance(2, nodes, full, carry),
+fn with_gradient<const D: usize, const EXTRA: u8>(nodes: usize, full: bool) -> P2gFn {
+    if full {
+        by_nodes::<D, true, true, EXTRA>(nodes)
+    } else {
+        by_nodes::<D, false, true, EXTRA>(nodes)
+    }
+}
+
+/// By the nodes per axis of the stage, of which hats have two.
+fn by_nodes<const D: usize, const FULL: bool, const GRADIENT: bool, const EXTRA: u8>(
+    nodes: usize,
+) -> P2gFn {
+    match nodes {
+        2 => entry::<D, 2, FULL, GRADIENT, EXTRA>,
+        3 => entry::<D, 3, FULL, GRADIENT, EXTRA>,
+        _ => entry::<D, 4, FULL, GRADIENT, EXTRA>,
+    }
+}
+
+/// The same for what is mapped to the three nodes of hats.
+fn from_three<const D: usize, const EXTRA: u8>(nodes: usize) -> P2gFn {
+    if nodes == 4 {
+        entry::<D, 4, false, true, EXTRA>
+    } else {
+        entry::<D, 3, false, true, EXTRA>
     }
 }
 
@@ -286,7 +273,7 @@ pub fn join_with_hoop(line: &mut Line) {
 
 /// Whether a stage leaves a node in two parts, which [`join`] adds.
 #[must_use]
-pub fn leaves_parts(axes: usize, full: bool, carry: Carry) -> bool {
+pub(crate) fn leaves_parts(axes: usize, full: bool, carry: Carry) -> bool {
     let derivative = match carry {
         Carry::Momentum => false,
         Carry::Remap => full,

@@ -54,7 +54,7 @@ impl Planes<'_> {
     /// Takes out of the sums what local damping will take where a velocity is prescribed, by a boundary plane or at the
     /// nodes of `lists`: nothing, since another velocity takes its place. Ghost nodes repeat what lies inside, and count
     /// for nothing either. Before [`Planes::accelerate`].
-    pub fn leave_out_prescribed(
+    pub(crate) fn leave_out_prescribed(
         &self,
         by: &Acceleration,
         walls: &[Wall],
@@ -104,7 +104,7 @@ impl Planes<'_> {
 
     /// Adds what viscous damping with `rate` \[1/s\] took over `kick` \[s\] to the sums of the owned planes: at a node its
     /// force was -rate m v, with the velocity before (Liang et al. 2024, eq. 20).
-    pub fn add_viscous(&self, rate: f64, kick: f64, walls: &[Wall], sums: &mut [PlaneSums]) {
+    pub(crate) fn add_viscous(&self, rate: f64, kick: f64, walls: &[Wall], sums: &mut [PlaneSums]) {
         for (sums, plane) in sums.iter_mut().zip(self.range.clone()) {
             let mut taken = 0.0;
             for row in self.rows.in_plane(plane) {

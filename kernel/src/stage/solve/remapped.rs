@@ -4,7 +4,7 @@ use super::{DrivenNode, Planes, Wall, owned};
 
 impl Planes<'_> {
     /// Sets the upper lanes of the active nodes to zero.
-    pub fn clear_upper(&mut self) {
+    pub(crate) fn clear_upper(&mut self) {
         self.for_rows(|row| {
             for node in row {
                 node[4..7].fill(0.0);
@@ -13,7 +13,7 @@ impl Planes<'_> {
     }
 
     /// Velocity of the second mapping of MUSL in the upper lanes: remapped momentum over mass.
-    pub fn remapped_velocities(&mut self) {
+    pub(crate) fn remapped_velocities(&mut self) {
         self.for_rows(|row| {
             for node in row {
                 if node[0] > 0.0 {
@@ -56,7 +56,7 @@ impl Planes<'_> {
 
     /// As [`Planes::fold`] for the remapped momentum of MUSL in the upper lanes. The mass of the mirror nodes was
     /// folded before; a ghost node still holds its own.
-    pub fn fold_remapped(&mut self, walls: &[Wall]) {
+    pub(crate) fn fold_remapped(&mut self, walls: &[Wall]) {
         for wall in walls {
             let (ghost, _, mirror) = wall.layers(self.shape);
             if wall.extrapolates {
@@ -77,7 +77,7 @@ impl Planes<'_> {
     }
 
     /// As [`Planes::drive`] for the remapped velocity of MUSL in the upper lanes.
-    pub fn drive_remapped(&mut self, driven: &[DrivenNode]) {
+    pub(crate) fn drive_remapped(&mut self, driven: &[DrivenNode]) {
         let first = self.first();
         for d in owned(driven, |d| d.node, first, self.nodes.len()) {
             self.nodes[d.node - first][4..7].copy_from_slice(&d.after);

@@ -11,7 +11,7 @@ use crate::stage::solve::Planes;
 use std::ops::Range;
 
 /// The water of one set of particles on its way to the nodes.
-pub struct WaterP2g<'a> {
+pub(crate) struct WaterP2g<'a> {
     /// The particles.
     pub set: &'a ParticleSet,
     /// Their view of the grid.
@@ -28,7 +28,7 @@ pub struct WaterP2g<'a> {
 
 /// Maps water onto planes: to the lanes of a node mass, momentum, the force of the pressure sum V p grad S, and the drag along
 /// the first axis sum V D S.
-pub fn map(from: &WaterP2g<'_>, planes: &mut Planes<'_>) {
+pub(crate) fn map(from: &WaterP2g<'_>, planes: &mut Planes<'_>) {
     let WaterP2g { set, water, .. } = from;
     let Some(column) = set.layout.water else {
         return;

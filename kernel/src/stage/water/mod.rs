@@ -4,6 +4,6 @@ mod mapping;
 mod planes;
 mod point;
 
-pub use mapping::{WaterP2g, map};
+pub(crate) use mapping::{WaterP2g, map};
 pub use planes::PressedPlane;
-pub use point::PointNodes;
+pub(crate) use point::PointNodes;

@@ -20,7 +20,7 @@ impl PressedPlane {
     /// \[m³\], which fills half a cell; `None` for a node beside the plane.
     #[must_use]
     #[inline]
-    pub fn force(&self, shape: &GridShape, at: [usize; 3], volume: f64) -> Option<f64> {
+    pub(crate) fn force(&self, shape: &GridShape, at: [usize; 3], volume: f64) -> Option<f64> {
         let (plane, inwards) = if self.side == 0 {
             (GHOSTS_BELOW, 1.0)
         } else {

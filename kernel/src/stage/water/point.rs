@@ -7,7 +7,7 @@ use crate::stage::Mapping;
 use crate::weights::{axis_weights_at, base_node};
 
 /// The nodes of one particle: products of weights along the axes, which lie along slow, middle and fast direction.
-pub struct PointNodes {
+pub(crate) struct PointNodes {
     /// Storage indices of the first.
     pub base: [usize; 3],
     /// Number per direction.
@@ -23,7 +23,7 @@ pub struct PointNodes {
 impl PointNodes {
     /// Those of particle `p` of some columns.
     #[must_use]
-    pub fn of<C: AsRef<[f64]>>(
+    pub(crate) fn of<C: AsRef<[f64]>>(
         columns: &[C],
         mapping: &Mapping,
         (shape, stencil): (&GridShape, usize),
@@ -62,7 +62,7 @@ impl PointNodes {
 
     /// Weight of a node, by its place in the stencil, and its gradient \[1/m\].
     #[must_use]
-    pub fn at(&self, [i, j, k]: [usize; 3]) -> (f64, Vector) {
+    pub(crate) fn at(&self, [i, j, k]: [usize; 3]) -> (f64, Vector) {
         let w = [self.weights[0][i], self.weights[1][j], self.weights[2][k]];
         let g = [
             self.derivatives[0][i],

@@ -6,9 +6,9 @@
 //! moved as prescribed, or still changes, no state of rest is due. Nor is one where motion has more energy than strain: such a
 //! run is of the motion itself, with damping beside it.
 
-use super::{Cycle, history_value};
-use crate::model::{Damping, History, StressScheme, TransferKind};
-use crate::simulation::values::Energy;
+use crate::running::Simulation;
+use proctor_kernel::model::{Damping, History, StressScheme, TransferKind};
+use proctor_kernel::simulation::{Energy, ResultQuality, history_value};
 use std::fmt;
 
 /// Least kinetic over strain energy of a caution: the mean stress is then off by a hundredth.
@@ -53,52 +53,53 @@ impl fmt::Display for ResidualMotion {
     }
 }
 
-impl Cycle {
-    /// The motion that damping has left, where a state of rest is due and motion has a share of the strain energy that matters.
-    pub(super) fn residual_motion(&self, energy: &Energy) -> Option<ResidualMotion> {
-        if !self.rest_is_due() {
-            return None;
-        }
-        let share = energy.kinetic / energy.strain;
-        let usl = self.model.settings.scheme == StressScheme::Usl;
-        let flip = self.model.settings.transfer.kind == TransferKind::Flip;
-        let least = if usl {
-            LEAST
-        } else if self.balance_traits().moves_damping {
-            LEAST_AT_CONTACT
-        } else if flip {
-            LEAST_OF_FLIP
-        } else {
-            LEAST
-        };
-        (least..MOST)
-            .contains(&share)
-            .then_some(ResidualMotion { share, usl, flip })
+/// The motion that damping has left, where a state of rest is due and motion has a share of the strain energy that matters.
+pub(crate) fn residual_motion(
+    simulation: &Simulation,
+    energy: &Energy,
+    quality: &ResultQuality,
+) -> Option<ResidualMotion> {
+    if !rest_is_due(simulation, quality) {
+        return None;
     }
+    let share = energy.kinetic / energy.strain;
+    let usl = simulation.model().settings.scheme == StressScheme::Usl;
+    let flip = simulation.model().settings.transfer.kind == TransferKind::Flip;
+    let least = if usl {
+        LEAST
+    } else if quality.interactions.moves_damping {
+        LEAST_AT_CONTACT
+    } else if flip {
+        LEAST_OF_FLIP
+    } else {
+        LEAST
+    };
+    (least..MOST)
+        .contains(&share)
+        .then_some(ResidualMotion { share, usl, flip })
+}
 
-    /// True where damping slows solid bodies and nothing acts on them that still moves or changes.
-    fn rest_is_due(&self) -> bool {
-        let (model, now) = (&self.model, self.state.clock.time);
-        let settings = &model.settings;
-        let damped = settings.damping.slows() || settings.damping == Damping::Kinetic;
-        let bodies = &model.bodies;
-        let solid = bodies.iter().all(|body| !body.law.is_fluid());
-        let stands = |motion: &History| {
-            motion.is_zero()
-                || (!motion.changes_from(now) && history_value(motion, now) == [0.0; 3])
-        };
-        damped
-            && solid
-            && settings.base_motion.is_none()
-            && self.knows_all_work()
-            && !self.balance_traits().moves
-            && bodies
-                .iter()
-                .filter_map(|body| body.motion.as_ref())
-                .all(stands)
-            && !settings
-                .tractions
-                .iter()
-                .any(|load| load.traction.changes_from(now))
-    }
+/// True where damping slows solid bodies and nothing acts on them that still moves or changes.
+fn rest_is_due(simulation: &Simulation, quality: &ResultQuality) -> bool {
+    let (model, now) = (simulation.model(), simulation.time());
+    let settings = &model.settings;
+    let damped = settings.damping.slows() || settings.damping == Damping::Kinetic;
+    let bodies = &model.bodies;
+    let solid = bodies.iter().all(|body| !body.law.is_fluid());
+    let stands = |motion: &History| {
+        motion.is_zero() || (!motion.changes_from(now) && history_value(motion, now) == [0.0; 3])
+    };
+    damped
+        && solid
+        && settings.base_motion.is_none()
+        && quality.knows_all_work
+        && !quality.interactions.moves
+        && bodies
+            .iter()
+            .filter_map(|body| body.motion.as_ref())
+            .all(stands)
+        && !settings
+            .tractions
+            .iter()
+            .any(|load| load.traction.changes_from(now))
 }

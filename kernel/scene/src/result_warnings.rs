@@ -6,19 +6,18 @@
 //! A positive one is dissipation, which affine transfers, a share of PIC, USL, friction of some contacts and planes that stop
 //! what hits them explain; nothing explains more of it than there was.
 
-use super::{Cycle, ResidualMotion};
-use crate::laws::StrainRange;
-use crate::model::{Damping, StressScheme, Transfer, TransferKind, Weighting};
-use crate::simulation::values::{Energy, Extremes, MOST_LOST_SPIN, MOST_STRETCH_RATIO, ROUND_OFF};
+use crate::residual_motion::{self, ResidualMotion};
+use crate::running::Simulation;
+use proctor_kernel::laws::StrainRange;
+use proctor_kernel::model::{Damping, StressScheme, Transfer, TransferKind, Weighting};
+use proctor_kernel::simulation::{Energy, MOST_REMAINDER, MOST_STRETCH_RATIO, ResultQuality};
 use std::fmt;
 
-/// Largest remainder of the energy balance over its scale that needs no explanation.
-pub const MOST_REMAINDER: f64 = 0.02;
+/// Share of the angular momentum whose loss needs no word.
+const MOST_LOST_SPIN: f64 = 0.05;
 /// Largest share of the mass of a body beyond that. A beam that bends under its own weight has 17 % near its root, and its tip is
 /// where domains that follow have it within 0.05 %; of the bar at 1.48 it is 40 %.
 const MOST_STRETCHED: f64 = 0.25;
-/// Round-off of potentials that cancel, over their size.
-const CANCELLED: f64 = 1e-12;
 /// Share of PIC from which it explains dissipation.
 const HARDLY_PIC: f64 = 1e-6;
 
@@ -52,7 +51,7 @@ pub enum ResultWarning {
     Stretch {
         /// Largest ratio of principal stretches.
         ratio: f64,
-        /// Share of the mass of a body beyond [`MOST_STRETCH_RATIO`].
+        /// Share of the mass of a body beyond a ratio of 1.25.
         share: f64,
         /// Whether the weighting function is a B-spline, which has no domains that could follow.
         bspline: bool,
@@ -182,31 +181,34 @@ impl fmt::Display for ResultWarning {
     }
 }
 
-impl Cycle {
+impl Simulation {
     /// Reasons for caution with the results as they are now, none where all is well; `energy` is the balance of
-    /// [`Cycle::energy`].
+    /// [`energy`](proctor_kernel::simulation::Cycle::energy).
     #[must_use]
     pub fn cautions(&self, energy: &Energy) -> Vec<ResultWarning> {
-        let extremes = self.extremes();
+        let quality = self.result_quality(energy);
+        let extremes = quality.extremes;
         let mut all = vec![];
-        all.extend(self.energy_caution(energy, &extremes));
-        if let Some(range) = self.exceeded_range(&extremes) {
+        all.extend(self.energy_caution(energy, &quality));
+        if let Some(range) = quality.exceeded_range {
             all.push(ResultWarning::Strain {
                 volume_change: extremes.volume_change,
                 range,
             });
         }
-        if let Some(lost) = self.lost_spin().filter(|lost| *lost > MOST_LOST_SPIN) {
+        if let Some(lost) = quality.lost_spin.filter(|lost| *lost > MOST_LOST_SPIN) {
             all.push(ResultWarning::Spin { lost });
         }
-        all.extend(self.residual_motion(energy).map(ResultWarning::Motion));
-        let left = self.tractions_left().into_iter();
+        all.extend(
+            residual_motion::residual_motion(self, energy, &quality).map(ResultWarning::Motion),
+        );
+        let left = quality.tractions_left.into_iter();
         all.extend(left.map(|(index, share)| ResultWarning::Traction { index, share }));
         if extremes.stretched_share > MOST_STRETCHED {
             all.push(ResultWarning::Stretch {
                 ratio: extremes.stretch_ratio,
                 share: extremes.stretched_share,
-                bspline: self.model.settings.weighting == Weighting::QuadraticBSpline,
+                bspline: self.model().settings.weighting == Weighting::QuadraticBSpline,
             });
         }
         all
@@ -225,21 +227,21 @@ impl Cycle {
         }
     }
 
-    fn energy_caution(&self, energy: &Energy, extremes: &Extremes) -> Option<ResultWarning> {
-        if !self.knows_all_work() {
+    fn energy_caution(&self, energy: &Energy, quality: &ResultQuality) -> Option<ResultWarning> {
+        if !quality.knows_all_work {
             return None;
         }
-        let scale = self.scale_of_energy(energy);
+        let scale = quality.energy_scale;
         // Local damping is booked with the velocities that bodies would have without each other; what contact makes of them moves
         // between damping and remainder.
-        let settings = &self.model.settings;
-        let meets = self.balance_traits().moves_damping;
+        let settings = &self.model().settings;
+        let meets = quality.interactions.moves_damping;
         let remainder = if meets && matches!(settings.damping, Damping::Local { .. }) {
             energy.remainder + energy.damping
         } else {
             energy.remainder
         };
-        let most = if remainder < 0.0 || !self.dissipates() {
+        let most = if remainder < 0.0 || !self.dissipates(quality) {
             MOST_REMAINDER
         } else {
             1.0
@@ -247,57 +249,37 @@ impl Cycle {
         (remainder.abs() > most * scale).then(|| ResultWarning::Energy {
             remainder,
             scale,
-            causes: self.causes(remainder, extremes),
+            causes: self.causes(remainder, quality),
         })
     }
 
-    /// The largest energy that there was to turn over \[J\], and never less than round-off of its parts.
-    pub(super) fn scale_of_energy(&self, energy: &Energy) -> f64 {
-        let ledger = &self.state.ledger;
-        let waves = self
-            .state
-            .found
-            .iter()
-            .map(|found| found.wave_speed_squared);
-        let at_rest = ROUND_OFF * self.mass() * waves.fold(0.0, f64::max);
-        let given = self
-            .state
-            .invariants
-            .given
-            .max(ledger.initial_energy + energy.external_work);
-        let present = energy.kinetic + energy.strain + energy.contact;
-        let cancelled = CANCELLED * (ledger.dead_load_origin.abs() + energy.external_work.abs());
-        let parts = [present, at_rest, cancelled / MOST_REMAINDER];
-        parts.into_iter().fold(given, f64::max)
-    }
-
     /// Whether the method takes energy that no channel has.
-    fn dissipates(&self) -> bool {
-        let settings = &self.model.settings;
+    fn dissipates(&self, quality: &ResultQuality) -> bool {
+        let settings = &self.model().settings;
         let Transfer { kind, pic_fraction } = settings.transfer;
-        let planes = (0..self.model.plan.axes)
+        let planes = (0..self.model().plan.axes)
             .any(|axis| [0, 1].iter().any(|side| settings.plane_acts(axis, *side)));
         kind != TransferKind::Flip
             || pic_fraction > HARDLY_PIC
             || settings.scheme != StressScheme::Usf
             || planes
             || !settings.held_boxes.is_empty()
-            || self.balance_traits().dissipates
-            || self.model.bodies.len() > 1
+            || quality.interactions.dissipates
+            || self.model().bodies.len() > 1
     }
 
     /// Probable causes of a remainder, the likeliest first.
-    fn causes(&self, remainder: f64, extremes: &Extremes) -> Vec<&'static str> {
-        let settings = &self.model.settings;
+    fn causes(&self, remainder: f64, quality: &ResultQuality) -> Vec<&'static str> {
+        let settings = &self.model().settings;
         let mut all = vec![];
-        if let Some(range) = self.exceeded_range(extremes) {
+        if let Some(range) = quality.exceeded_range {
             all.push(range.cause);
         }
         if remainder > 0.0 {
             all.push("contact or damping that gave energy which the transfer took again: look at each channel");
             return all;
         }
-        if extremes.stretched_share > MOST_STRETCHED {
+        if quality.extremes.stretched_share > MOST_STRETCHED {
             all.push("particle domains that do not follow their stretch: use \"domain_update\": \"stretch\"");
         }
         let damped = settings.damping != Damping::None;
@@ -315,7 +297,7 @@ impl Cycle {
         if !(settings.point_loads.is_empty() && settings.tractions.is_empty()) {
             all.push("a load fixed in space that its body leaves: use \"box_load\", which moves with the particles");
         }
-        if self.balance_traits().may_be_stiff {
+        if quality.interactions.may_be_stiff {
             all.push(
                 "contact that is too stiff or meets too fast for the step: use a smaller step",
             );

@@ -1,10 +1,10 @@
 //! One material point without a grid: a law under a path of strain, and the strains that a path of stress asks for.
 
-use super::{AnyLaw, Block, Component, Gradients, Particle, UNDEFORMED};
-use crate::lanes::Selected;
-use crate::laws::tensor::Configuration;
-use crate::layout::{Layout, Optional};
 use nalgebra::Matrix3;
+use proctor_kernel::lanes::Selected;
+use proctor_kernel::laws::tensor::Configuration;
+use proctor_kernel::laws::{AnyLaw, Block, Component, Gradients, Particle, UNDEFORMED};
+use proctor_kernel::layout::{Layout, Optional};
 use std::fmt;
 
 /// A point of a material, by the same code that strains particles.
@@ -177,12 +177,6 @@ impl Point {
         )
     }
 
-    /// Time \[s\].
-    #[must_use]
-    pub fn time(&self) -> f64 {
-        self.time
-    }
-
     /// Cauchy stress xx, yy, zz, yz, xz, xy \[Pa\].
     #[must_use]
     pub fn stress(&self) -> [f64; 6] {
@@ -233,7 +227,7 @@ impl Point {
         self.particle(|law, particle| law.dissipated(particle))
     }
 
-    /// Algorithmic work per initial volume \[J/m³\]: see [`Law::algorithmic`](super::Law::algorithmic).
+    /// Algorithmic work per initial volume \[J/m³\]: see [`Law::algorithmic`](proctor_kernel::laws::Law::algorithmic).
     #[must_use]
     pub fn algorithmic(&self) -> f64 {
         self.particle(|law, particle| law.algorithmic(particle))

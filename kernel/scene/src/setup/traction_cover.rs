@@ -3,12 +3,9 @@
 //! A traction acts on the nodes around its rectangle. Where the rectangle lies over no body, nodes beside the body would take
 //! its whole force, or there would be none to take it: both are refused, by the name of the traction.
 
-use super::Cycle;
-use super::conditions::nodes_of_traction;
-use super::mapping::node_weights;
-use crate::model::{Shape, Traction, Vector};
-use crate::number::Number;
-use crate::simulation::values::{BodyRun, SetupError};
+use proctor_geometry::number::Number;
+use proctor_kernel::model::{Shape, Traction, Vector};
+use proctor_kernel::simulation::{SetupError, StepView, node_weights, nodes_of_traction};
 
 /// Lengths below this share of a cell are round-off.
 const NEAR: f64 = 1e-6;
@@ -24,123 +21,120 @@ const STAIRCASE: f64 = 3.0;
 /// Cells around a rectangle in which there are particles that reach its nodes.
 const REACH: f64 = 4.0;
 
-impl Cycle {
-    /// Whether bodies carry every traction of the scene.
-    ///
-    /// # Errors
-    /// [`SetupError::Load`] by the path of a traction that lies over no body or only partly over one, or that acts on a node
-    /// that no particle reaches.
-    pub(super) fn require_carried(&self) -> Result<(), SetupError> {
-        let settings = &self.model.settings;
-        for (i, traction) in settings.tractions.iter().enumerate() {
-            let refused = |reason| {
-                Err(SetupError::Load {
-                    path: format!("traction[{i}]"),
-                    reason,
-                })
-            };
-            if let Some(gap) = self.gap(traction) {
-                return refused(gap.told(traction, settings.dimension.axes()));
-            }
-            if let Some(x) = self.node_out_of_reach(i, traction)? {
-                return refused(format!(
-                    "it acts at the node {} m, which no particle reaches: particles end before the rectangle does; accepted: a \
-                     rectangle on a plane of nodes, or on the outermost particles of a body",
-                    point(&x, settings.dimension.axes())
-                ));
-            }
+/// Whether bodies carry every traction of the scene.
+///
+/// # Errors
+/// [`SetupError::Load`] by the path of a traction that lies over no body or only partly over one, or that acts on a node
+/// that no particle reaches.
+pub(super) fn require_carried(view: &StepView<'_>) -> Result<(), SetupError> {
+    let settings = view.settings;
+    for (i, traction) in settings.tractions.iter().enumerate() {
+        let refused = |reason| {
+            Err(SetupError::Load {
+                path: format!("traction[{i}]"),
+                reason,
+            })
+        };
+        if let Some(gap) = gap_of(view, traction) {
+            return refused(gap.told(traction, settings.dimension.axes()));
         }
-        Ok(())
+        if let Some(x) = node_out_of_reach(view, i, traction)? {
+            return refused(format!(
+                "it acts at the node {} m, which no particle reaches: particles end before the rectangle does; accepted: a \
+                 rectangle on a plane of nodes, or on the outermost particles of a body",
+                point(&x, settings.dimension.axes())
+            ));
+        }
     }
+    Ok(())
+}
 
-    /// The part of a rectangle that lies over no body.
-    fn gap(&self, traction: &Traction) -> Option<Gap> {
-        let settings = &self.model.settings;
-        let axes = settings.dimension.axes();
-        let cell = &settings.mesh.cell;
-        let normal = (0..axes).find(|&axis| traction.p1[axis] == traction.p2[axis])?;
-        let tolerance = |axis: usize| NEAR * cell[axis] + settings.mesh.tolerance(axis);
-        let boxes: Vec<[Vector; 2]> = (self.model.bodies.iter())
-            .filter_map(|body| match body.shape {
-                Shape::Cuboid { p1, p2 } => Some([p1, p2]),
-                _ => None,
-            })
-            .filter(|[low, high]| {
-                (0..axes).all(|axis| {
-                    low[axis] - tolerance(axis) <= traction.p2[axis]
-                        && traction.p1[axis] <= high[axis] + tolerance(axis)
-                })
-            })
-            .collect();
-        let covers = |[low, high]: &[Vector; 2]| {
+/// The part of a rectangle that lies over no body.
+fn gap_of(view: &StepView<'_>, traction: &Traction) -> Option<Gap> {
+    let settings = view.settings;
+    let axes = settings.dimension.axes();
+    let cell = &settings.mesh.cell;
+    let normal = (0..axes).find(|&axis| traction.p1[axis] == traction.p2[axis])?;
+    let tolerance = |axis: usize| NEAR * cell[axis] + settings.mesh.tolerance(axis);
+    let boxes: Vec<[Vector; 2]> = (view.bodies.iter())
+        .filter_map(|body| match body.shape {
+            Shape::Cuboid { p1, p2 } => Some([p1, p2]),
+            _ => None,
+        })
+        .filter(|[low, high]| {
             (0..axes).all(|axis| {
-                low[axis] - tolerance(axis) <= traction.p1[axis]
-                    && traction.p2[axis] <= high[axis] + tolerance(axis)
+                low[axis] - tolerance(axis) <= traction.p2[axis]
+                    && traction.p1[axis] <= high[axis] + tolerance(axis)
             })
-        };
-        if boxes.iter().any(covers) {
-            return None;
-        }
-        let cuts: Vec<RectangleCuts> = (0..axes)
-            .filter(|axis| *axis != normal)
-            .map(|axis| RectangleCuts::new(axis, traction, cell[axis], &boxes))
-            .collect();
-        let mut covered = CoveredPieces::new(&cuts);
-        for [low, high] in &boxes {
-            covered.add(&|axis| [low[axis], high[axis]]);
-        }
-        for (run, set) in self.model.bodies.iter().zip(&self.state.sets) {
-            if matches!(run.shape, Shape::Cuboid { .. }) {
-                continue;
-            }
-            let reach = run.particle_half_length.map(|l| STAIRCASE * l);
-            for p in 0..set.len() {
-                let x = set.position(p);
-                let at = |axis: usize| x[axis] + settings.mesh.origin[axis];
-                if (at(normal) - traction.p1[normal]).abs() <= reach[normal] {
-                    covered.add(&|axis| [at(axis) - reach[axis], at(axis) + reach[axis]]);
-                }
-            }
-        }
-        covered.gap(traction)
+        })
+        .collect();
+    let covers = |[low, high]: &[Vector; 2]| {
+        (0..axes).all(|axis| {
+            low[axis] - tolerance(axis) <= traction.p1[axis]
+                && traction.p2[axis] <= high[axis] + tolerance(axis)
+        })
+    };
+    if boxes.iter().any(covers) {
+        return None;
     }
+    let cuts: Vec<RectangleCuts> = (0..axes)
+        .filter(|axis| *axis != normal)
+        .map(|axis| RectangleCuts::new(axis, traction, cell[axis], &boxes))
+        .collect();
+    let mut covered = CoveredPieces::new(&cuts);
+    for [low, high] in &boxes {
+        covered.add(&|axis| [low[axis], high[axis]]);
+    }
+    for (run, set) in view.bodies.iter().zip(view.particles) {
+        if matches!(run.shape, Shape::Cuboid { .. }) {
+            continue;
+        }
+        let reach = run.particle_half_length.map(|l| STAIRCASE * l);
+        for p in 0..set.len() {
+            let x = set.position(p);
+            let at = |axis: usize| x[axis] + settings.mesh.origin[axis];
+            if (at(normal) - traction.p1[normal]).abs() <= reach[normal] {
+                covered.add(&|axis| [at(axis) - reach[axis], at(axis) + reach[axis]]);
+            }
+        }
+    }
+    covered.gap(traction)
+}
 
-    /// A node that a traction acts on and no particle reaches \[m\].
-    fn node_out_of_reach(
-        &self,
-        i: usize,
-        traction: &Traction,
-    ) -> Result<Option<Vector>, SetupError> {
-        let settings = &self.model.settings;
-        let shape = &self.work.grid.shape;
-        let mut nodes: Vec<(usize, bool)> = nodes_of_traction(settings, shape, i, traction)?
-            .into_iter()
-            .map(|(node, _)| (node, false))
-            .collect();
-        nodes.sort_unstable();
-        let origin = &settings.mesh.origin;
-        let is_near = |x: &Vector| {
-            (0..shape.axes).all(|axis| {
-                let (at, far) = (x[axis] + origin[axis], REACH * settings.mesh.cell[axis]);
-                (traction.p1[axis] - far..=traction.p2[axis] + far).contains(&at)
-            })
-        };
-        for (set, run) in self.state.sets.iter().zip(&self.model.bodies) {
-            let run: &BodyRun = run;
-            for p in (0..set.len()).filter(|p| is_near(&set.position(*p))) {
-                for (node, _) in &*node_weights(set, run, shape, self.state.stencil, p) {
-                    if let Ok(place) = nodes.binary_search_by_key(node, |(node, _)| *node) {
-                        nodes[place].1 = true;
-                    }
+/// A node that a traction acts on and no particle reaches \[m\].
+fn node_out_of_reach(
+    view: &StepView<'_>,
+    i: usize,
+    traction: &Traction,
+) -> Result<Option<Vector>, SetupError> {
+    let settings = view.settings;
+    let shape = &view.grid.shape;
+    let mut nodes: Vec<(usize, bool)> = nodes_of_traction(settings, shape, i, traction)?
+        .into_iter()
+        .map(|(node, _)| (node, false))
+        .collect();
+    nodes.sort_unstable();
+    let origin = &settings.mesh.origin;
+    let is_near = |x: &Vector| {
+        (0..shape.axes).all(|axis| {
+            let (at, far) = (x[axis] + origin[axis], REACH * settings.mesh.cell[axis]);
+            (traction.p1[axis] - far..=traction.p2[axis] + far).contains(&at)
+        })
+    };
+    for (set, run) in view.particles.iter().zip(view.bodies) {
+        for p in (0..set.len()).filter(|p| is_near(&set.position(*p))) {
+            for (node, _) in &*node_weights(set, run, shape, view.stencil, p) {
+                if let Ok(place) = nodes.binary_search_by_key(node, |(node, _)| *node) {
+                    nodes[place].1 = true;
                 }
             }
         }
-        let empty = nodes.iter().find(|(_, reached)| !reached);
-        Ok(empty.map(|(node, _)| {
-            let local = shape.position(*node);
-            std::array::from_fn(|axis| local[axis] + origin[axis])
-        }))
     }
+    let empty = nodes.iter().find(|(_, reached)| !reached);
+    Ok(empty.map(|(node, _)| {
+        let local = shape.position(*node);
+        std::array::from_fn(|axis| local[axis] + origin[axis])
+    }))
 }
 
 /// The pieces of a rectangle along one of its axes.
