@@ -74,7 +74,7 @@ fn every_study_hands_over_a_scene_that_can_be_written_or_says_why_not() {
             }
         }
     }
-    assert!(open.len() >= 14, "{open:?}");
+    assert!(open.len() >= 15, "{open:?}");
 }
 
 fn check(study: Study, guest: &Guest) {
@@ -110,6 +110,8 @@ fn this_kernel_comes_near_the_exact_solutions() {
         ("inclined-block", 0.02),
         ("bar", 0.06),
         ("axis-aligned", 0.1),
+        // Four times that of the plane: half as many cells, and order 2.
+        ("axis-aligned-3d", 0.4),
         ("staggered-start", 0.02),
         ("colliding-blocks", 0.1),
         ("inclined-two-blocks", 0.01),
@@ -125,6 +127,28 @@ fn this_kernel_comes_near_the_exact_solutions() {
         println!("{case}, {}: {error:.3e}", rung.label);
         assert!(error < bound, "{case}, {}: {error:.3e}", rung.label);
     }
+}
+
+/// Order 2, less a half for a mesh of four cells.
+#[test]
+fn the_swing_of_a_cube_converges() {
+    let study = study::open()
+        .into_iter()
+        .find(|study| study.name() == "axis-aligned-3d");
+    let study = study.expect("a study");
+    let errors: Vec<f64> = study.path(Size::Quick)[..2]
+        .iter()
+        .map(|rung| {
+            let guest = study
+                .guest(rung)
+                .unwrap_or_else(|reason| panic!("{reason}"));
+            guest.error(&frames(&guest)).expect("an error")
+        })
+        .collect();
+    assert!((errors[0] / errors[1]).log2() > 1.5, "{errors:?}");
+    // The finest mesh of the long study is closed, and says why.
+    let finest = study.path(Size::Full).pop().expect("a path");
+    assert!(matches!(study.guest(&finest), Err(reason) if reason.contains("quarter of a million")));
 }
 
 /// A block that moves by one along x, of which the exact solution says so.
