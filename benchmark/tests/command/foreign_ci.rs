@@ -1,4 +1,4 @@
-//! What a foreign project has in its CI: the script of the action, and a warm-up for solvers that compile their kernels.
+//! The script of the action that a foreign project has in its CI, and a warm-up for solvers that compile their kernels.
 
 use crate::command::guests::found;
 use crate::command::support::{Desk, code, command, fixture, proctor, stderr, stdout};
