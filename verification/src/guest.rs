@@ -62,7 +62,7 @@ pub struct Guest {
     pub counts: Box<dyn Fn(&Vector) -> bool + Send + Sync>,
     /// The exact field.
     pub exact: ExactField,
-    /// The tractions that the loads on nodes are integrated from; a solver whose functions are not one at their node spreads them itself.
+    /// The tractions that the loads on nodes are integrated from, for a solver whose functions are not one at their node.
     pub tractions: Vec<Traction>,
 }
 
@@ -199,7 +199,8 @@ pub(crate) fn slab(mut scene: Scene) -> Scene {
     scene
 }
 
-/// A scene with its tractions as the nodal loads that they are integrated to, and the tractions. Their corners must be nodes.
+/// A scene with its tractions as the nodal loads that they are integrated to, and the tractions. Their corners must be
+/// nodes.
 pub(crate) fn with_nodal_loads(mut scene: Scene) -> (Scene, Vec<Traction>) {
     let tractions = std::mem::take(&mut scene.tractions);
     for traction in &tractions {

@@ -129,8 +129,7 @@ fn this_kernel_comes_near_the_exact_solutions() {
     }
 }
 
-/// Order 2, less a half for coarse meshes; *self-weight* has few reversals until it rests, and two particles in a cell that is
-/// pressed together.
+/// Order 2, less a half for coarse meshes.
 #[test]
 fn own_lines_of_a_cube_and_a_column_converge() {
     for case in ["axis-aligned-3d", "self-weight"] {

@@ -6,12 +6,13 @@ use serde_json::{Value, json};
 use std::fs;
 use std::process::Command;
 
-/// A program that reads what the adapter writes and leaves frames as MPM-Geomechanics does: labels of the step before, ASCII, and
-/// nothing of the mesh but that it begins at 0. Bodies fall freely or slide on the surface with Coulomb's friction.
+/// A program that reads what the adapter writes and leaves frames as MPM-Geomechanics does: labels of the step before,
+/// ASCII, and nothing of the mesh but that it begins at 0. Bodies fall freely or slide on the surface with Coulomb's
+/// friction.
 const PROGRAM: &str = r#"
 import json, os, sys
 scene = json.load(open(sys.argv[1]))
-assert scene["mesh"]["origin"] == [0, 0, 0] and scene["shape_function"] == "GIMP"
+assert scene["mesh"]["origin"] == [0, 0, 0] and scene.get("shape_function", "GIMP") == "GIMP"
 assert scene["n_threads"] == 1 and "fields" not in scene["results"] and "contact" not in scene
 h, dt = scene["mesh"]["cells_dimension"][0], scene["time_step"]
 steps = int(scene["time"] / dt)

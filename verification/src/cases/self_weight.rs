@@ -15,8 +15,8 @@ const HEIGHT: f64 = 1.0; // Height [m]
 const LAW: NeoHookean = NeoHookean::new(25e3, 0.25); // Neo-Hookean; confined modulus 30 kPa
 const DENSITY: f64 = 1200.0; // Density [kg/m³]
 const GRAVITY: f64 = 10.0; // Gravity [m/s²]
-/// Share of gravity for other solvers: strains stay within 4 %, where uGIMP, which most of them have, converges. With the whole of
-/// it particles change their cells, and its line ends at 0.4 %.
+/// Share of gravity for other solvers: strains stay within 4 %, where uGIMP, which most of them have, converges. With the
+/// whole of it particles change their cells, and its line ends at 0.4 %.
 const LIGHT: f64 = 0.1;
 /// Norm of the unbalanced force over the weight at which the column is at rest.
 const RESIDUAL: f64 = 1e-7;
