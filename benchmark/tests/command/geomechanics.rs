@@ -183,7 +183,7 @@ fn what_the_program_lacks_is_skipped_with_its_reason() {
         (with(&|s| s["tractions"] = json!([1])), "tractions: "),
         (
             with(&|s| {
-                s["nodal_point_load"] = json!([[[1, 0, 0], [1, 0, 0]], [[1, 0, 1], [1, 0, 0]]])
+                s["nodal_point_load"] = json!([[[1, 0, 0], [1, 0, 0]], [[1, 0, 1], [1, 0, 0]]]);
             }),
             "several nodal loads",
         ),

@@ -35,7 +35,9 @@ fn every_word_of_scenes_for_other_solvers_is_in_their_table() {
                 );
             };
             add(&scene);
-            BLOCKS.iter().for_each(|block| add(&scene[block]));
+            for block in BLOCKS {
+                add(&scene[block]);
+            }
             for list in LISTS {
                 scene[list]
                     .as_array()
