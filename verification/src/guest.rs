@@ -62,6 +62,8 @@ pub struct Guest {
     pub counts: Box<dyn Fn(&Vector) -> bool + Send + Sync>,
     /// The exact field.
     pub exact: ExactField,
+    /// The tractions that the loads on nodes are integrated from, for a solver whose functions are not one at their node.
+    pub tractions: Vec<Traction>,
 }
 
 /// A frame of a solver, as far as it is compared.
@@ -89,6 +91,7 @@ impl Guest {
             last_alone: false,
             counts: Box::new(|_| true),
             exact: Box::new(move |starts, t| starts.iter().map(|x| exact(x, t)).collect()),
+            tractions: vec![],
         }
     }
 
@@ -196,13 +199,15 @@ pub(crate) fn slab(mut scene: Scene) -> Scene {
     scene
 }
 
-/// A scene with its tractions as the nodal loads that they are integrated to. Their corners must be nodes.
-pub(crate) fn with_nodal_loads(mut scene: Scene) -> Scene {
-    for traction in std::mem::take(&mut scene.tractions) {
-        let loads = nodal_loads(&traction, &scene.mesh);
+/// A scene with its tractions as the nodal loads that they are integrated to, and the tractions. Their corners must be
+/// nodes.
+pub(crate) fn with_nodal_loads(mut scene: Scene) -> (Scene, Vec<Traction>) {
+    let tractions = std::mem::take(&mut scene.tractions);
+    for traction in &tractions {
+        let loads = nodal_loads(traction, &scene.mesh);
         scene.point_loads.extend(loads);
     }
-    scene
+    (scene, tractions)
 }
 
 /// Each node of a rectangle has the share of its hat: a cell within, half of one at a side.

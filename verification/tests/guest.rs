@@ -74,7 +74,7 @@ fn every_study_hands_over_a_scene_that_can_be_written_or_says_why_not() {
             }
         }
     }
-    assert!(open.len() >= 14, "{open:?}");
+    assert!(open.len() >= 15, "{open:?}");
 }
 
 fn check(study: Study, guest: &Guest) {
@@ -110,6 +110,8 @@ fn this_kernel_comes_near_the_exact_solutions() {
         ("inclined-block", 0.02),
         ("bar", 0.06),
         ("axis-aligned", 0.1),
+        // Four times that of the plane: half as many cells, and order 2.
+        ("axis-aligned-3d", 0.4),
         ("staggered-start", 0.02),
         ("colliding-blocks", 0.1),
         ("inclined-two-blocks", 0.01),
@@ -124,6 +126,64 @@ fn this_kernel_comes_near_the_exact_solutions() {
             .unwrap_or_else(|e| panic!("{case}: {e}"));
         println!("{case}, {}: {error:.3e}", rung.label);
         assert!(error < bound, "{case}, {}: {error:.3e}", rung.label);
+    }
+}
+
+/// Order 2, less a half for coarse meshes.
+#[test]
+fn own_lines_of_a_cube_and_a_column_converge() {
+    for case in ["axis-aligned-3d", "self-weight"] {
+        converges(case);
+    }
+}
+
+fn converges(case: &str) {
+    let study = study::open().into_iter().find(|study| study.name() == case);
+    let study = study.expect("a study");
+    let errors: Vec<f64> = study.path(Size::Quick)[..2]
+        .iter()
+        .map(|rung| {
+            let guest = study
+                .guest(rung)
+                .unwrap_or_else(|reason| panic!("{reason}"));
+            guest.error(&frames(&guest)).expect("an error")
+        })
+        .collect();
+    assert!((errors[0] / errors[1]).log2() > 1.5, "{case}: {errors:?}");
+}
+
+#[test]
+fn a_mesh_that_no_scene_file_holds_says_why() {
+    let mut open = study::open().into_iter();
+    let study = open.find(|study| study.name() == "axis-aligned-3d");
+    let study = study.expect("a study");
+    let finest = study.path(Size::Full).pop().expect("a path");
+    assert!(matches!(study.guest(&finest), Err(reason) if reason.contains("tens of thousands")));
+}
+
+/// A solver may spread the traction itself: it is handed over beside the loads on nodes, which are the same force.
+#[test]
+fn loads_on_nodes_are_those_of_the_tractions() {
+    for case in ["step-bar", "boussinesq"] {
+        let (guest, _) = guest(case);
+        assert!(!guest.tractions.is_empty(), "{case}");
+        let mut due = [0.0; 3];
+        for traction in &guest.tractions {
+            let extents: Vec<f64> = (0..3)
+                .map(|axis| traction.p2[axis] - traction.p1[axis])
+                .filter(|extent| *extent > 0.0)
+                .collect();
+            assert_eq!(extents.len(), 2, "{case}: a rectangle");
+            let value = traction.traction.constant().expect("a constant");
+            for axis in 0..3 {
+                due[axis] += value[axis] * extents[0] * extents[1];
+            }
+        }
+        let loads = &guest.scene.point_loads;
+        for axis in 0..3 {
+            let sum: f64 = loads.iter().map(|load| load.force[axis]).sum();
+            assert!((sum - due[axis]).abs() <= 1e-12 * due[axis].abs(), "{case}");
+        }
     }
 }
 

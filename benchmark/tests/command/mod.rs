@@ -12,7 +12,11 @@ mod drift;
 mod element;
 mod energy;
 mod folder;
+#[cfg(unix)]
+mod foreign_ci;
 mod generated;
+#[cfg(unix)]
+mod geomechanics;
 #[cfg(unix)]
 mod guest_bounds;
 mod guests;

@@ -35,7 +35,7 @@ fn a_case_is_a_line_with_gates_tightest_gate_error_and_time() {
         "{text}"
     );
     assert!(
-        lines.iter().all(|line| line.chars().count() <= 100),
+        lines.iter().all(|line| line.chars().count() <= 80),
         "{text}"
     );
     assert_eq!(stderr(&verify(&[])), "");

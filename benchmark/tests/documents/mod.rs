@@ -5,6 +5,7 @@ mod book;
 mod commands;
 mod figures;
 mod found;
+mod guests;
 mod links;
 mod names;
 mod scripts;

@@ -159,11 +159,12 @@ fn guest(rung: &Rung) -> Result<Guest, &'static str> {
     let speed = model::wave_speed();
     let mut scene = scene(rung, &guest::settings());
     scene.time = guest::RELAXATION * SIDE / speed;
-    let scene = guest::with_nodal_loads(scene);
+    let (scene, tractions) = guest::with_nodal_loads(scene);
     let scene = guest::prepared(scene, 1, guest::COURANT * rung.cell / speed);
     Ok(Guest {
         counts: Box::new(|x| compare::is_outside(x, LEFT_OUT)),
         exact: Box::new(move |starts, _| exact.displacement_many(starts)),
+        tractions,
         ..Guest::new(scene, |_, _| [0.0; 3]).at_the_end()
     })
 }

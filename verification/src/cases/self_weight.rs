@@ -15,6 +15,9 @@ const HEIGHT: f64 = 1.0; // Height [m]
 const LAW: NeoHookean = NeoHookean::new(25e3, 0.25); // Neo-Hookean; confined modulus 30 kPa
 const DENSITY: f64 = 1200.0; // Density [kg/m³]
 const GRAVITY: f64 = 10.0; // Gravity [m/s²]
+/// Share of gravity for other solvers: strains stay within 4 %, where uGIMP, which most of them have, converges. With the
+/// whole of it particles change their cells, and its line ends at 0.4 %.
+const LIGHT: f64 = 0.1;
 /// Norm of the unbalanced force over the weight at which the column is at rest.
 const RESIDUAL: f64 = 1e-7;
 const WRONG_GRAVITY: Wrong = Wrong::factor("gravity", 1.04);
@@ -90,9 +93,13 @@ fn guest(rung: &Rung) -> Result<Guest, &'static str> {
     let speed = ((LAW.elasticity().lambda + 2.0 * LAW.elasticity().shear) / DENSITY).sqrt();
     let mut scene = guest::slab(scene(rung, &guest::settings()));
     scene.time = guest::RELAXATION * HEIGHT / speed;
-    // The column sinks fast, and its waves get faster: by two thirds together.
+    scene.gravity = scene.gravity.map(|g| LIGHT * g);
+    // The column sinks, and its waves get faster.
     let step = 0.5 * guest::COURANT * rung.cell / speed;
-    let exact = exact(Reference::CORRECT);
+    let exact = SelfWeightColumn {
+        gravity: LIGHT * GRAVITY,
+        ..exact(Reference::CORRECT)
+    };
     let sunk = move |x: &Vector, _| [0.0, exact.position(x[1]) - x[1], 0.0];
     Ok(Guest::new(guest::prepared(scene, 1, step), sunk).at_the_end())
 }

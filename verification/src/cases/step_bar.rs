@@ -360,10 +360,13 @@ fn guest(rung: &Rung) -> Result<Guest, &'static str> {
     }
     let mut scene = guest::slab(scene(rung, &guest::settings()));
     scene.time = COMPARED * transit();
-    let scene = guest::with_nodal_loads(scene);
+    let (scene, tractions) = guest::with_nodal_loads(scene);
     let exact = exact(Reference::CORRECT);
     let step = guest::COURANT * rung.cell / exact.wave_speed();
     let scene = guest::prepared(scene, 1, step);
     let moved = move |x: &Vector, t| [exact.displacement(x[0], t), 0.0, 0.0];
-    Ok(Guest::new(scene, moved).at_the_end())
+    Ok(Guest {
+        tractions,
+        ..Guest::new(scene, moved).at_the_end()
+    })
 }

@@ -19,6 +19,22 @@ use std::sync::atomic::AtomicBool;
 /// Steps by which the last frame may miss the end of the scene.
 const END: f64 = 1.5;
 
+/// The file beside a scene with loads on nodes: what they are integrated from.
+const TRACTIONS: &str = "tractions.csv";
+
+/// The tractions of a problem: corners of each rectangle (m) and force over area (Pa).
+fn tractions(guest: &Guest) -> String {
+    let mut text = "x1_m,y1_m,z1_m,x2_m,y2_m,z2_m,tx_pa,ty_pa,tz_pa\n".to_owned();
+    for traction in &guest.tractions {
+        let value = traction.traction.constant().unwrap_or_default();
+        let numbers = traction.p1.iter().chain(&traction.p2).chain(&value);
+        let numbers: Vec<String> = numbers.map(ToString::to_string).collect();
+        text.push_str(&numbers.join(","));
+        text.push('\n');
+    }
+    text
+}
+
 /// The scene of a problem as executables get it.
 pub(crate) struct Handed {
     scene: Value,
@@ -38,9 +54,13 @@ impl Handed {
         let TimeStep::Fixed { dt, .. } = guest.scene.time_step else {
             return Err("its scene has no constant step".to_owned());
         };
+        let mut files = text.files;
+        if !guest.tractions.is_empty() {
+            files.push((TRACTIONS.to_owned(), tractions(guest)));
+        }
         Ok(Self {
             scene,
-            files: text.files,
+            files,
             step: dt,
         })
     }
