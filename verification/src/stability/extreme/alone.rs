@@ -115,7 +115,7 @@ fn thin_shell() -> Judged {
     let breathes = flying(|x| [1e-3 * (x[0] - CENTER[0]), 1e-3 * (x[1] - CENTER[1]), 0.0]);
     for scene in each_scheme(&ring, SAFE) {
         run_to(&mut start(&scene, &flies)?, 20.0, |s, _| {
-            strained.see(largest_stress(s))
+            strained.see(largest_stress(s));
         })?;
         let mut simulation = kept.start(&scene, &breathes)?;
         // About five swings of 2 pi R/c.

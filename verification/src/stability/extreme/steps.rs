@@ -121,7 +121,7 @@ fn step_too_long() -> Judged {
             for noise in NOISES {
                 // Who stops at once, and who only tells.
                 for on_imbalance in [OnImbalance::Stop, OnImbalance::Tell] {
-                    let mut scene = blown_up(method, time_step.clone());
+                    let mut scene = blown_up(method, time_step);
                     scene.on_imbalance = on_imbalance;
                     let mut simulation = start(&scene, &initial(noise))?;
                     let (step, error) = until_told(&mut simulation);

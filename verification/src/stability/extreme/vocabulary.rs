@@ -152,7 +152,7 @@ pub fn unstable(time_step: TimeStep) -> TimeStep {
             multiplier,
             allow_unstable: true,
         },
-        other => other,
+        TimeStep::Automatic => time_step,
     }
 }
 
