@@ -111,6 +111,21 @@ pub struct Found {
 }
 
 impl Found {
+    /// Numbers without a picture.
+    #[must_use]
+    pub fn of(quantities: impl Into<Vec<Quantity>>) -> Self {
+        Self::new(quantities.into(), None)
+    }
+
+    /// With a picture of them, where there is one.
+    #[must_use]
+    pub fn drawn(self, curve: impl Into<Option<Curve>>) -> Self {
+        Self {
+            curve: curve.into(),
+            ..self
+        }
+    }
+
     /// Numbers, and the picture of them where there is one.
     #[must_use]
     pub fn new(quantities: Vec<Quantity>, curve: Option<Curve>) -> Self {

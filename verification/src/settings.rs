@@ -37,6 +37,24 @@ impl Method {
         transfer: TransferKind::Flip,
     };
 
+    /// With another weighting function.
+    #[must_use]
+    pub const fn with_weighting(self, weighting: Weighting) -> Self {
+        Self { weighting, ..self }
+    }
+
+    /// With another stress scheme.
+    #[must_use]
+    pub const fn with_scheme(self, scheme: StressScheme) -> Self {
+        Self { scheme, ..self }
+    }
+
+    /// With another transfer.
+    #[must_use]
+    pub const fn with_transfer(self, transfer: TransferKind) -> Self {
+        Self { transfer, ..self }
+    }
+
     /// Word for the weighting function.
     #[must_use]
     pub fn weighting_word(self) -> &'static str {

@@ -169,7 +169,7 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
     quantities.push(Quantity::figure(GAIN, gain, "1"));
     let title = format!("change of the angular momentum, {}", rung.label);
     let curve = Curve::new(title, ["turns", "change / initial"], points);
-    Ok(Found::new(quantities, Some(curve)))
+    Ok(Found::of(quantities).drawn(curve))
 }
 
 /// Losses and gains, for the record.

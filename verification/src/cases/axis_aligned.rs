@@ -149,11 +149,8 @@ fn method(rung: &Rung) -> Settings {
     } else {
         Weighting::ContiguousGimp(DomainUpdate::Stretch)
     };
-    Settings::new(Method {
-        weighting,
-        ..Method::DEFAULT
-    })
-    .courant((COURANT_TIMES_CELLS * rung.cell / SIDE).min(MOST_COURANT))
+    Settings::new(Method::DEFAULT.with_weighting(weighting))
+        .courant((COURANT_TIMES_CELLS * rung.cell / SIDE).min(MOST_COURANT))
 }
 
 /// The motion of a rung in as many directions with its amplitude times `factor`.
@@ -219,5 +216,5 @@ fn compare<const D: usize>(run: &mut Run<'_>) -> Result<Found, Failure> {
             [xx, yy, zz, 0.0, 0.0, 0.0]
         },
     );
-    Ok(Found::new(quantities, None))
+    Ok(Found::of(quantities))
 }

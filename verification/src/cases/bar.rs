@@ -111,5 +111,5 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
     });
     let title = format!("stress along the bar at {t:.2} s, {}", run.rung.label);
     let curve = points.map(|points| Curve::new(title, ["x (m)", "stress / (E v0/c)"], points));
-    Ok(Found::new(quantities, curve))
+    Ok(Found::of(quantities).drawn(curve))
 }

@@ -154,7 +154,7 @@ fn compare(mut run: Run<'_>) -> Result<Found, Failure> {
         }
         Err(failure) => return Err(failure),
     };
-    Ok(Found::new(vec![quantity], None))
+    Ok(Found::of([quantity]))
 }
 
 fn is_linear(rung: &Rung) -> bool {

@@ -167,7 +167,7 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
                 ratio(L2, response.l2),
                 ratio(STRESS, response.stress),
             ];
-            Ok(Found::new(quantities, Some(response.curve)))
+            Ok(Found::of(quantities).drawn(response.curve))
         }
         Problem::Block(_) => {
             let distance = manual::run(simulation, reference.of(&WRONG_FREQUENCY), observer)?;
@@ -175,7 +175,7 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
                 ratio(BASE, Some(distance.plane)),
                 ratio(LOWEST, Some(distance.lowest)),
             ];
-            Ok(Found::new(quantities, None))
+            Ok(Found::of(quantities))
         }
     }
 }

@@ -146,11 +146,7 @@ fn rungs(size: Size) -> Vec<Rung> {
 
 fn method(rung: &Rung) -> Settings {
     let (_, scheme) = variant(rung);
-    Settings::new(Method {
-        scheme,
-        ..Method::DEFAULT
-    })
-    .courant(COURANT)
+    Settings::new(Method::DEFAULT.with_scheme(scheme)).courant(COURANT)
 }
 
 fn scene(rung: &Rung, settings: &Settings, reference: Reference) -> Scene {
@@ -235,10 +231,9 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
         }
         window.sum = sum.iter().fold(window.sum, |most, f| most.max(f.abs()));
     })?;
-    Ok(Found::new(
-        quantities(reference, simulation, &window, before),
-        None,
-    ))
+    Ok(Found::of(quantities(
+        reference, simulation, &window, before,
+    )))
 }
 
 fn path(size: Size) -> Vec<Rung> {

@@ -140,7 +140,7 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
         Quantity::balance(RESIDUAL, run.residual, "1"),
     ];
     let curve = comparison.curve(format!("settlement on the axis, {}", run.rung.label));
-    Ok(Found::new(quantities, Some(curve)))
+    Ok(Found::of(quantities).drawn(curve))
 }
 
 fn path(size: Size) -> Vec<Rung> {

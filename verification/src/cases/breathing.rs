@@ -101,8 +101,7 @@ fn wave_speed() -> f64 {
 fn scene(rung: &Rung, settings: &Settings) -> Scene {
     let (h, n) = (rung.cell, cells(RADIUS, rung.cell) + AIR as usize);
     let is_sphere = rung.variant == SPHERE;
-    let mut mesh = strip(h, [n, if is_sphere { 2 * n } else { 2 }]);
-    mesh.axisymmetric = true;
+    let mut mesh = revolved_strip(h, [n, if is_sphere { 2 * n } else { 2 }]);
     mesh.planes[0][1] = PlaneCondition::Free;
     let shape = if is_sphere {
         mesh.planes[1] = [PlaneCondition::Free; 2];

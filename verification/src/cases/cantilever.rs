@@ -351,7 +351,7 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
         let sound = ![NO_SPIN, NO_AUGMENTATION].contains(&rung.variant);
         quantities.extend(hanging.quantities(&reference.boundary, sound));
     }
-    Ok(Found::new(quantities, curve))
+    Ok(Found::of(quantities).drawn(curve))
 }
 
 fn path(size: Size) -> Vec<Rung> {

@@ -71,10 +71,7 @@ fn exact(factor: f64) -> Cavity {
 
 fn scene(rung: &Rung, settings: &Settings) -> Scene {
     let h = rung.cell;
-    let mut mesh = strip(h, [cells(FAR, h) + 2; 2]);
-    mesh.axisymmetric = true;
-    mesh.planes[0][1] = PlaneCondition::Free;
-    mesh.planes[1][1] = PlaneCondition::Free;
+    let mesh = open_quarter(h, [cells(FAR, h) + 2; 2]);
     let speed = exact(1.0).speed();
     let end = TRANSITS * RADIUS / speed;
     let shape = shell(h, settings.particles_per_cell, [RADIUS - WITHIN * h, FAR]);
@@ -126,8 +123,5 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
         ["distance from the middle (m)", "displacement (m)"],
         points,
     );
-    Ok(Found::new(
-        vec![ratio(DISPLACEMENT, displacement)],
-        Some(curve),
-    ))
+    Ok(Found::of([ratio(DISPLACEMENT, displacement)]).drawn(curve))
 }

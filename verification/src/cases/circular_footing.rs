@@ -78,18 +78,14 @@ fn time() -> f64 {
 
 fn scene(rung: &Rung, _: &Settings) -> Scene {
     let h = rung.cell;
-    let mut mesh = strip(h, [cells(FAR, h), cells(DEEP, h) + 1]);
-    mesh.axisymmetric = true;
+    let mut mesh = revolved_strip(h, [cells(FAR, h), cells(DEEP, h) + 1]);
     mesh.planes[1] = [PlaneCondition::Fixed, PlaneCondition::Free];
     let mut scene = Scene {
         materials: material("clay", DENSITY, Tresca::new(YOUNG, POISSON, STRENGTH)),
         bodies: vec![body("ground", 1, rectangle([0.0; 2], [FAR, DEEP]))],
         ..plane_scene("circular_footing", mesh, time())
     };
-    let method = Method {
-        weighting: Weighting::Linear,
-        ..Method::DEFAULT
-    };
+    let method = Method::DEFAULT.with_weighting(Weighting::Linear);
     let mut settings = Settings::new(method);
     settings.particles_per_cell = 1;
     settings.apply(&mut scene);
@@ -136,7 +132,7 @@ fn solve(
                 points,
             );
             let load = Quantity::compared(LOAD, pressure, known, "Pa");
-            Ok(Found::new(vec![load], Some(curve)))
+            Ok(Found::of([load]).drawn(curve))
         },
     )?;
     refer(rung, reference, &mut solved);

@@ -28,10 +28,7 @@ const FALLS: f64 = 6.0;
 const FALLS_OF_WATER: f64 = 2.0; // That of water, before the front reaches the end of the mesh
 
 /// APIC, which does not ring where particles cross cells.
-const METHOD: Method = Method {
-    transfer: TransferKind::Apic,
-    ..Method::DEFAULT
-};
+const METHOD: Method = Method::DEFAULT.with_transfer(TransferKind::Apic);
 
 /// How far the front came beyond the column, over the width.
 const BEYOND: &str = "run-out over width";
@@ -177,7 +174,7 @@ fn found(rung: &Rung, mut run: RunOut) -> Found {
     );
     Found {
         drawings: vec![run.drawing],
-        ..Found::new(run.quantities, Some(curve))
+        ..Found::of(run.quantities).drawn(curve)
     }
 }
 

@@ -207,7 +207,7 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
     let (simulation, observer) = (run.simulation, run.observer);
     let seen = collide(simulation, observer)?;
     let quantities = quantities(reference, &variant(rung), simulation, &seen);
-    Ok(Found::new(quantities, None))
+    Ok(Found::of(quantities))
 }
 
 fn path(size: Size) -> Vec<Rung> {

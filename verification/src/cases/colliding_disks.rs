@@ -39,13 +39,7 @@ pub static COLLIDING_DISKS: Case = Case::new(
     "Do two elastic disks that collide bounce off each other as finite elements say?",
 )
 .ladder(Ladder::cells("disks", "R/h", RADIUS, &[4, 8], &[4, 8, 16]))
-.method(|_| {
-    Settings::new(Method {
-        scheme: StressScheme::Musl,
-        ..Method::DEFAULT
-    })
-    .courant(0.3)
-})
+.method(|_| Settings::new(Method::DEFAULT.with_scheme(StressScheme::Musl)).courant(0.3))
 .scene(scene)
 .run(compare)
 .gates(&[
@@ -167,5 +161,5 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
         ["t in s", "1"],
         points,
     );
-    Ok(Found::new(quantities, Some(curve)))
+    Ok(Found::of(quantities).drawn(curve))
 }

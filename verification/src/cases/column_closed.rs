@@ -150,7 +150,7 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
         });
         quantities.push(ratio(OFF, off));
     }
-    Ok(Found::new(quantities, None))
+    Ok(Found::of(quantities))
 }
 
 /// The same scene of one phase, at its end.

@@ -70,5 +70,5 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
             off = off.max((p - exact.mean_pressure(low, high)).abs() / undrained);
         }
     }
-    Ok(Found::new(vec![ratio(PRESSURE, Some(off))], None))
+    Ok(Found::of([ratio(PRESSURE, Some(off))]))
 }

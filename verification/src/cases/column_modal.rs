@@ -97,11 +97,11 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
         let of_water = exact.mean_pressure(low, high);
         off[0] = off[0].max((p - of_water).abs() / undrained);
         off[1] = off[1].max((stress - exact.mean_effective_stress(low, high)).abs() / column.load);
-        points.push(CurvePoint {
-            at: 0.5 * (low + high),
-            computed: p / column.load,
-            exact: of_water / column.load,
-        });
+        points.push(CurvePoint::new(
+            0.5 * (low + high),
+            p / column.load,
+            of_water / column.load,
+        ));
     }
     let heights = (0..simulation.sets()[0].len()).filter_map(|p| {
         let z = simulation.initial_position(0, p)?[1];
@@ -119,8 +119,8 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
     ];
     let title = format!("pore pressure after {} s, {}", run.time(), run.rung.label);
     let axes = ["height (m)", "pressure / load"];
-    Ok(Found::new(
-        quantities.into_iter().chain(top).collect(),
-        Some(Curve::new(title, axes, points)),
-    ))
+    Ok(
+        Found::of(quantities.into_iter().chain(top).collect::<Vec<_>>())
+            .drawn(Curve::new(title, axes, points)),
+    )
 }

@@ -8,6 +8,7 @@
 //! 40 cells (`both ends`). `proctor verify column-terzaghi`.
 
 use super::prelude::*;
+use super::vocabulary::moved::smooth;
 use crate::exact::consolidation::Layer;
 
 const TOP: &str = "top";
@@ -107,7 +108,7 @@ fn pressure(rung: &Rung, reference: Reference, depth: f64) -> f64 {
     };
     let piece = |i: u32| f64::from(i) / f64::from(PIECES);
     let of_piece = |i: u32| {
-        let share = smooth(piece(i + 1)) - smooth(piece(i));
+        let share = smooth(piece(i + 1))[0] - smooth(piece(i))[0];
         let length = RAMP / f64::from(PIECES);
         share * layer.pressure(height - depth, end(rung) - RAMP * piece(i), length)
     };
@@ -126,19 +127,13 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
         let exact = 0.5 * (at(middle - gauss * h) + at(middle + gauss * h));
         off[0] = off[0].max((p - exact).abs() / LOAD);
         off[1] = off[1].max((stress - (exact - LOAD)).abs() / LOAD);
-        points.push(CurvePoint {
-            at: middle,
-            computed: p / LOAD,
-            exact: exact / LOAD,
-        });
+        points.push(CurvePoint::new(middle, p / LOAD, exact / LOAD));
     }
     let title = format!("pore pressure after {} s, {}", run.time(), run.rung.label);
     let curve = Curve::new(title, ["height (m)", "pressure / load"], points);
-    Ok(Found::new(
-        vec![
-            ratio(PRESSURE, Some(off[0])),
-            ratio(EFFECTIVE, Some(off[1])),
-        ],
-        Some(curve),
-    ))
+    Ok(Found::of([
+        ratio(PRESSURE, Some(off[0])),
+        ratio(EFFECTIVE, Some(off[1])),
+    ])
+    .drawn(curve))
 }

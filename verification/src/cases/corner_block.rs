@@ -190,5 +190,5 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
         ["t in s", "u_x in m"],
         points,
     );
-    Ok(Found::new(quantities, Some(curve)))
+    Ok(Found::of(quantities).drawn(curve))
 }

@@ -387,7 +387,7 @@ fn found(reference: Reference, path: &Path, steps: u32) -> Result<Found, String>
     let off = known().map(|(found, s)| (found - s).abs());
     let off = off.fold(0.0, |most, x| if x <= most { most } else { x });
     let quantities = vec![Quantity::of_zero(STRESS, off / size)];
-    Ok(Found::new(quantities, Some(path.curve(&states, stiffer))))
+    Ok(Found::of(quantities).drawn(path.curve(&states, stiffer)))
 }
 
 /// Steps, or states, of a rung.
@@ -464,7 +464,7 @@ fn solve(
         None => returns::quantities(count(rung), reference.of(&WRONG_STRENGTH), &mut |share| {
             observer.progress(share);
         })
-        .map(|quantities| Found::new(quantities, None)),
+        .map(Found::of),
     }?;
     Ok(Solved {
         particles: 1,

@@ -22,6 +22,7 @@
 //! nodes there which nothing holds. `proctor verify footing`.
 
 use super::prelude::*;
+use super::vocabulary::moved::smooth;
 use super::vocabulary::press::Press;
 use crate::exact::bearing::Ground;
 
@@ -164,18 +165,9 @@ impl Variant {
         times * WIDTH / speed
     }
 
-    /// Share of the way at a share of the time, and velocity over way per time.
-    fn gone(share: f64) -> [f64; 2] {
-        let s = share.clamp(0.0, 1.0);
-        [
-            s * s * s * (10.0 + s * (6.0 * s - 15.0)),
-            30.0 * s * s * (1.0 - s) * (1.0 - s),
-        ]
-    }
-
     fn press(&self, cell: f64) -> Press {
         let (way, time) = (self.way(), self.time());
-        let down = move |at: f64| -way / time * Self::gone(at / time)[1];
+        let down = move |at: f64| -way / time * smooth(at / time)[1];
         Press::smooth(self.extent()[1], cell, down)
             .up_to(0.5 * WIDTH)
             .rough(self.rough)
@@ -242,8 +234,7 @@ fn sink(
         pressure = (impulse - given) / (until - from) / (0.5 * WIDTH);
         (given, from) = (impulse, until);
         points.push(CurvePoint::new(
-            variant.way() / WIDTH * YOUNG / STRENGTH
-                * Variant::gone(share - 0.5 / f64::from(LOOKS))[0],
+            variant.way() / WIDTH * YOUNG / STRENGTH * smooth(share - 0.5 / f64::from(LOOKS))[0],
             pressure / STRENGTH,
             exact / STRENGTH,
         ));
@@ -263,7 +254,7 @@ fn sink(
         ],
         points,
     );
-    Ok(Found::new(quantities, Some(curve)))
+    Ok(Found::of(quantities).drawn(curve))
 }
 
 fn rungs(size: Size) -> Vec<Rung> {
@@ -374,10 +365,7 @@ fn scene(rung: &Rung, _: &Settings) -> Scene {
         }];
     }
     scene.bodies = vec![ground];
-    let method = Method {
-        weighting: Weighting::Linear,
-        ..Method::DEFAULT
-    };
+    let method = Method::DEFAULT.with_weighting(Weighting::Linear);
     Settings::new(method).apply(&mut scene);
     scene
 }

@@ -210,6 +210,6 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
     );
     Ok(Found {
         drawings: watch.drawings,
-        ..Found::new(quantities, Some(curve))
+        ..Found::of(quantities).drawn(curve)
     })
 }

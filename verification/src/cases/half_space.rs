@@ -125,9 +125,8 @@ fn step_of(settings: &Settings, h: f64) -> f64 {
 fn scene(rung: &Rung, settings: &Settings) -> Scene {
     let h = rung.cell;
     let n = cells(FAR, h);
-    let mut mesh = strip(h, [n + BEYOND + 1, n + BEYOND + 3]);
+    let mut mesh = revolved_strip(h, [n + BEYOND + 1, n + BEYOND + 3]);
     mesh.origin[1] = -h * (BEYOND + 1) as f64;
-    mesh.axisymmetric = true;
     mesh.planes[0][1] = PlaneCondition::Free;
     mesh.planes[1] = [PlaneCondition::Free; 2];
     let beyond = BEYOND as f64 * h;
@@ -284,7 +283,7 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
             points,
         ));
     }
-    Ok(Found::new(quantities, curve))
+    Ok(Found::of(quantities).drawn(curve))
 }
 
 /// Settlement on the axis of the rows of particles that are nearest to a depth, computed and exact \[m\]. Particles beside the axis are

@@ -182,10 +182,7 @@ fn lines(runs: &Runs<'_>) -> Verdict {
 }
 
 pub(super) fn method(_rung: &Rung) -> Settings {
-    Settings::new(Method {
-        transfer: TransferKind::Apic,
-        ..Method::DEFAULT
-    })
+    Settings::new(Method::DEFAULT.with_transfer(TransferKind::Apic))
 }
 
 pub(super) fn scene(rung: &Rung, settings: &Settings) -> Scene {
@@ -279,5 +276,5 @@ pub(super) fn compare(run: Run<'_>) -> Result<Found, Failure> {
         ["x in m", "p in Pa"],
         points.map(|p| CurvePoint::new(p[0], p[1], exact.pressure(p[0]))),
     );
-    Ok(Found::new(quantities, Some(curve)))
+    Ok(Found::of(quantities).drawn(curve))
 }

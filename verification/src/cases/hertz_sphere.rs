@@ -278,10 +278,7 @@ fn peak(found: &Pressures, exact: &Exact) -> f64 {
 }
 
 fn method(_rung: &Rung) -> Settings {
-    Settings::new(Method {
-        transfer: TransferKind::Apic,
-        ..Method::DEFAULT
-    })
+    Settings::new(Method::DEFAULT.with_transfer(TransferKind::Apic))
 }
 
 fn compare(run: Run<'_>) -> Result<Found, Failure> {
@@ -311,7 +308,7 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
         ["r in m", "p in Pa"],
         points,
     );
-    Ok(Found::new(quantities, Some(curve)))
+    Ok(Found::of(quantities).drawn(curve))
 }
 
 fn path(size: Size) -> Vec<Rung> {

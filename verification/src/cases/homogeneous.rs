@@ -13,6 +13,7 @@
 //! pressure acts: what the laws do is the same at any size. `proctor verify homogeneous`.
 
 use super::prelude::*;
+use super::vocabulary::moved::smooth;
 use super::vocabulary::press::Press;
 use super::vocabulary::yielding::{DRUCKER_PRAGER, MOHR_COULOMB, TRESCA, VON_MISES, Yielding};
 use crate::exact::homogeneous::{Specimen, State, Surface, Test};
@@ -44,58 +45,46 @@ struct Variant {
     pressed: bool,
 }
 
-const fn variant(name: &'static str, test: Test, law: &'static str, pressed: bool) -> Variant {
+/// A test with free sides without a load.
+const fn free(name: &'static str, test: Test, law: &'static str) -> Variant {
     Variant {
         name,
         test,
         law,
-        pressed,
+        pressed: false,
+    }
+}
+
+/// A test with free sides that bear a pressure.
+const fn pressed(name: &'static str, test: Test, law: &'static str) -> Variant {
+    Variant {
+        pressed: true,
+        ..free(name, test, law)
     }
 }
 
 const VARIANTS: [Variant; 16] = {
     use Test::{Biaxial, Oedometer, Triaxial};
     [
-        variant("oedometer, von Mises", Oedometer, VON_MISES, false),
-        variant("oedometer, Tresca", Oedometer, TRESCA, false),
-        variant("oedometer, Mohr-Coulomb", Oedometer, MOHR_COULOMB, false),
-        variant(
-            "oedometer, Drucker-Prager",
-            Oedometer,
-            DRUCKER_PRAGER,
-            false,
-        ),
-        variant("biaxial, von Mises", Biaxial, VON_MISES, false),
-        variant("biaxial, Tresca", Biaxial, TRESCA, false),
-        variant("biaxial, Mohr-Coulomb", Biaxial, MOHR_COULOMB, false),
-        variant("biaxial, Drucker-Prager", Biaxial, DRUCKER_PRAGER, false),
-        variant(
-            "biaxial, Mohr-Coulomb, pressed",
-            Biaxial,
-            MOHR_COULOMB,
-            true,
-        ),
-        variant(
-            "biaxial, Drucker-Prager, pressed",
-            Biaxial,
-            DRUCKER_PRAGER,
-            true,
-        ),
-        variant("triaxial, von Mises", Triaxial, VON_MISES, false),
-        variant("triaxial, Tresca", Triaxial, TRESCA, false),
-        variant("triaxial, Mohr-Coulomb", Triaxial, MOHR_COULOMB, false),
-        variant("triaxial, Drucker-Prager", Triaxial, DRUCKER_PRAGER, false),
-        variant(
-            "triaxial, Mohr-Coulomb, pressed",
-            Triaxial,
-            MOHR_COULOMB,
-            true,
-        ),
-        variant(
+        free("oedometer, von Mises", Oedometer, VON_MISES),
+        free("oedometer, Tresca", Oedometer, TRESCA),
+        free("oedometer, Mohr-Coulomb", Oedometer, MOHR_COULOMB),
+        free("oedometer, Drucker-Prager", Oedometer, DRUCKER_PRAGER),
+        free("biaxial, von Mises", Biaxial, VON_MISES),
+        free("biaxial, Tresca", Biaxial, TRESCA),
+        free("biaxial, Mohr-Coulomb", Biaxial, MOHR_COULOMB),
+        free("biaxial, Drucker-Prager", Biaxial, DRUCKER_PRAGER),
+        pressed("biaxial, Mohr-Coulomb, pressed", Biaxial, MOHR_COULOMB),
+        pressed("biaxial, Drucker-Prager, pressed", Biaxial, DRUCKER_PRAGER),
+        free("triaxial, von Mises", Triaxial, VON_MISES),
+        free("triaxial, Tresca", Triaxial, TRESCA),
+        free("triaxial, Mohr-Coulomb", Triaxial, MOHR_COULOMB),
+        free("triaxial, Drucker-Prager", Triaxial, DRUCKER_PRAGER),
+        pressed("triaxial, Mohr-Coulomb, pressed", Triaxial, MOHR_COULOMB),
+        pressed(
             "triaxial, Drucker-Prager, pressed",
             Triaxial,
             DRUCKER_PRAGER,
-            true,
         ),
     ]
 };
@@ -170,7 +159,7 @@ struct Plane {
 }
 
 impl Plane {
-    /// Strain and rate of strain \[1/s\] at a time \[s\]: both parts as 10 s³ - 15 s⁴ + 6 s⁵.
+    /// Strain and rate of strain \[1/s\] at a time \[s\]: both parts from rest to rest.
     fn strain(self, time: f64) -> [f64; 2] {
         let first = FIRST * TIME;
         let (from, by, begins, takes) = if time < first {
@@ -179,10 +168,8 @@ impl Plane {
             let more = (BEYOND - 1.0) * self.yields;
             (self.yields, more, first, TIME - first)
         };
-        let s = ((time - begins) / takes).clamp(0.0, 1.0);
-        let share = s * s * s * (10.0 + s * (6.0 * s - 15.0));
-        let rate = 30.0 * s * s * (1.0 - s) * (1.0 - s) / takes;
-        [from + by * share, by * rate]
+        let [share, rate] = smooth((time - begins) / takes);
+        [from + by * share, by * (rate / takes)]
     }
 
     /// Velocity at a time \[s\], downwards \[m/s\].
@@ -345,7 +332,7 @@ fn press(
         ["axial strain (1e-6)", "axial less lateral compression (Pa)"],
         points,
     );
-    Ok(Found::new(off.quantities(), Some(curve)))
+    Ok(Found::of(off.quantities()).drawn(curve))
 }
 
 fn rungs(size: Size) -> Vec<Rung> {
@@ -381,10 +368,7 @@ fn scene(rung: &Rung, _: &Settings) -> Scene {
     }
     scene.bodies = vec![specimen];
     scene.tractions = variant.tractions();
-    let method = Method {
-        weighting: variant.weighting(),
-        ..Method::DEFAULT
-    };
+    let method = Method::DEFAULT.with_weighting(variant.weighting());
     Settings::new(method).apply(&mut scene);
     scene
 }

@@ -110,11 +110,8 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
             off = off.max((p - exact).abs() / (WATER * gravity * HEIGHT));
         }
     }
-    Ok(Found::new(
-        vec![
-            Quantity::balance(FLOW, flow, "m/s"),
-            ratio(PRESSURE, Some(off)),
-        ],
-        None,
-    ))
+    Ok(Found::of([
+        Quantity::balance(FLOW, flow, "m/s"),
+        ratio(PRESSURE, Some(off)),
+    ]))
 }

@@ -295,11 +295,7 @@ fn by_elements(rung: &Rung, problem: &Problem) -> Option<Slid> {
 }
 
 fn method(rung: &Rung) -> Settings {
-    Settings::new(Method {
-        scheme: rung.problem::<Problem>().scheme,
-        ..Method::DEFAULT
-    })
-    .courant(COURANT)
+    Settings::new(Method::DEFAULT.with_scheme(rung.problem::<Problem>().scheme)).courant(COURANT)
 }
 
 fn scene(rung: &Rung, settings: &Settings, reference: Reference) -> Scene {
@@ -331,7 +327,7 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
     let moved = simulation.center(1).position[0] - 0.5 * (ALONG[0] + ALONG[1]);
     let quantities = quantities(&tracks[0], moved, &problem, incline.height);
     let curve = sliding_curve(&tracks[0], &exact(&problem), &rung.label);
-    Ok(Found::new(quantities, Some(curve)))
+    Ok(Found::of(quantities).drawn(curve))
 }
 
 /// A scene file has one gravity for all of a run, so the block is released at once. It is so flat that the swing of its

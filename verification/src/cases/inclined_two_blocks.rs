@@ -253,11 +253,7 @@ fn slides(rung: &Rung) -> bool {
 
 fn method(rung: &Rung) -> Settings {
     let (_, scheme, _) = variant(rung);
-    Settings::new(Method {
-        scheme,
-        ..Method::DEFAULT
-    })
-    .courant(COURANT)
+    Settings::new(Method::DEFAULT.with_scheme(scheme)).courant(COURANT)
 }
 
 fn scene(rung: &Rung, settings: &Settings, reference: Reference) -> Scene {
@@ -280,7 +276,7 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
     incline.release(simulation, observer)?;
     let tracks = follow(&incline, simulation, observer)?;
     let quantities = quantities(&tracks, variant(rung).2);
-    Ok(Found::new(quantities, None))
+    Ok(Found::of(quantities))
 }
 
 fn path(size: Size) -> Vec<Rung> {

@@ -90,10 +90,9 @@ fn method(rung: &Rung) -> Settings {
     let scheme = AVERAGED
         .iter()
         .find(|(variant, _)| *variant == rung.variant);
-    Settings::new(Method {
-        scheme: scheme.map_or(Method::DEFAULT.scheme, |(_, scheme)| *scheme),
-        ..Method::DEFAULT
-    })
+    Settings::new(
+        Method::DEFAULT.with_scheme(scheme.map_or(Method::DEFAULT.scheme, |(_, scheme)| *scheme)),
+    )
 }
 
 fn scene(rung: &Rung, settings: &Settings) -> Scene {
@@ -131,5 +130,5 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
         ratio(L2, comparison.l2_outside(LEFT_OUT)),
         Quantity::balance(RESIDUAL, run.residual, "1"),
     ];
-    Ok(Found::new(quantities, None))
+    Ok(Found::of(quantities))
 }

@@ -322,5 +322,5 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
         let expected = figures.map(|f| f * reference.of(&WRONG_FORCE));
         (quantities(&forces, expected), curve(&rung.label, &forces))
     };
-    Ok(Found::new(quantities, Some(curve)))
+    Ok(Found::of(quantities).drawn(curve))
 }

@@ -75,7 +75,8 @@ use std::sync::OnceLock;
 use crate::case::{Case, CurvePoint};
 use crate::study::Measure;
 pub(crate) use vocabulary::parts::{
-    AT_REST, NO_RESULTS, body, cuboid, elastic, elastic_law, material,
+    AT_REST, NO_RESULTS, body, cuboid, elastic, elastic_law, material, moving, moving_along_x,
+    rectangle, uniaxial,
 };
 
 /// Makes the cases public, and the one list of them.

@@ -53,10 +53,7 @@ pub static PLASTIC_WAVE: Case = Case::new(
 ))
 // Affine transfer: it damps the ringing that the mesh cannot carry.
 .method(|_| {
-    let method = Method {
-        transfer: TransferKind::Apic,
-        ..Method::DEFAULT
-    };
+    let method = Method::DEFAULT.with_transfer(TransferKind::Apic);
     Settings::new(method).courant(COURANT)
 })
 .scene(scene)
@@ -190,10 +187,7 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
     let label = &run.rung.label;
     let title = format!("compression along the strip after {COMPARED} transits, {label}");
     let axes = ["x (m)", "compression / limit"];
-    Ok(Found::new(
-        quantities,
-        points.map(|points| Curve::new(title, axes, points)),
-    ))
+    Ok(Found::of(quantities).drawn(points.map(|points| Curve::new(title, axes, points))))
 }
 
 /// The stress is judged at 100 cells, plastic work at 200, balances on the finest mesh.

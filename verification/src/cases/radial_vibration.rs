@@ -95,8 +95,7 @@ fn along(variant: &str) -> usize {
 
 fn scene(rung: &Rung, settings: &Settings) -> Scene {
     let h = rung.cell;
-    let mut mesh = strip(h, [cells(RADIUS, h), 2]);
-    mesh.axisymmetric = true;
+    let mut mesh = revolved_strip(h, [cells(RADIUS, h), 2]);
     mesh.planes[0][1] = PlaneCondition::Fixed;
     if rung.variant == SHEAR {
         // What moves along the axis alone is the same in all heights.

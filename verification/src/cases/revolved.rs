@@ -40,11 +40,8 @@ pub static REVOLVED: Case = Case::new(
     [&[12, 24], &[8, 16, 32]],
 ))
 .method(|_| {
-    Settings::new(Method {
-        weighting: Weighting::ContiguousGimp(DomainUpdate::Stretch),
-        ..Method::DEFAULT
-    })
-    .courant(COURANT)
+    Settings::new(Method::DEFAULT.with_weighting(Weighting::ContiguousGimp(DomainUpdate::Stretch)))
+        .courant(COURANT)
 })
 .scene(scene)
 .options(start)
@@ -93,8 +90,7 @@ fn exact(rung: &Rung, factor: f64) -> RevolvedMms {
 
 fn scene(rung: &Rung, settings: &Settings) -> Scene {
     let h = rung.cell;
-    let mut mesh = strip(h, [cells(SIDE, h); 2]);
-    mesh.axisymmetric = true;
+    let mut mesh = revolved_strip(h, [cells(SIDE, h); 2]);
     mesh.planes[0][1] = PlaneCondition::Fixed;
     mesh.planes[1] = [PlaneCondition::Fixed; 2];
     let LinearWaves { end, speed } = waves();
@@ -157,5 +153,5 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
         })
     });
     quantities.push(ratio(AXIS, beside));
-    Ok(Found::new(quantities, None))
+    Ok(Found::of(quantities))
 }

@@ -317,10 +317,8 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
     let history = History::run(simulation, observer)?;
     let reference = known(reference)?;
     let quantities = history.quantities(simulation, reference);
-    Ok(Found::new(
-        quantities.ok_or("the rings never touch")?,
-        Some(history.curve(&rung.label, reference)),
-    ))
+    Ok(Found::of(quantities.ok_or("the rings never touch")?)
+        .drawn(history.curve(&rung.label, reference)))
 }
 
 fn path(size: Size) -> Vec<Rung> {

@@ -207,10 +207,7 @@ fn judge(runs: &Runs<'_>) -> Verdict {
 }
 
 pub(super) fn method(_rung: &Rung) -> Settings {
-    let method = Method {
-        transfer: TransferKind::Apic,
-        ..Method::DEFAULT
-    };
+    let method = Method::DEFAULT.with_transfer(TransferKind::Apic);
     settings(method, 5)
 }
 
@@ -302,7 +299,7 @@ pub(super) fn compare(run: Run<'_>) -> Result<Found, Failure> {
         ["t in s", "u_x in m"],
         points,
     );
-    Ok(Found::new(quantities, Some(curve)))
+    Ok(Found::of(quantities).drawn(curve))
 }
 
 /// Sum of the particles' volumes \[m²\].

@@ -126,5 +126,5 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
         Some((simulation.sets()[0].velocity(p), exact))
     });
     let quantities = vec![ratio(DISPLACEMENT, displacement), ratio(VELOCITY, velocity)];
-    Ok(Found::new(quantities, None))
+    Ok(Found::of(quantities))
 }

@@ -21,10 +21,7 @@ const FRICTION: f64 = 30.0; // Angle of friction [°]
 /// Time of a run over that of a fall, sqrt(H/g): sand comes to rest after 3.3.
 const FALLS: f64 = 6.0;
 /// APIC, which does not ring where particles cross cells.
-const METHOD: Method = Method {
-    transfer: TransferKind::Apic,
-    ..Method::DEFAULT
-};
+const METHOD: Method = Method::DEFAULT.with_transfer(TransferKind::Apic);
 const BEYOND: &str = "run-out over that of experiments";
 const WIDE: &str = "a=0.8";
 const SLENDER: &str = "a=2";
@@ -78,8 +75,7 @@ fn scene(rung: &Rung, _: &Settings) -> Scene {
     // Twice as far as experiments went.
     let long = RADIUS * (1.0 + 2.0 * published(aspect(rung))).ceil();
     let top = (height / h).ceil() as usize + 2;
-    let mut mesh = strip(h, [cells(long, h), top]);
-    mesh.axisymmetric = true;
+    let mut mesh = revolved_strip(h, [cells(long, h), top]);
     mesh.planes[1] = [PlaneCondition::Fixed, PlaneCondition::Free];
     let young = STIFFNESS * DENSITY * GRAVITY * height;
     let mut sand = body("column", 1, rectangle([0.0; 2], [RADIUS, height]));
@@ -114,10 +110,12 @@ fn found(rung: &Rung, mut run: RunOut) -> Found {
     let beyond = front.map_or(f64::NAN, |q| q.value / RADIUS - 1.0);
     run.quantities
         .push(Quantity::figure(BEYOND, beyond / far, "1"));
-    let points = run.places.iter().map(|place| CurvePoint {
-        at: place.time / fall(rung),
-        computed: place.front / RADIUS - 1.0,
-        exact: f64::NAN,
+    let points = run.places.iter().map(|place| {
+        CurvePoint::new(
+            place.time / fall(rung),
+            place.front / RADIUS - 1.0,
+            f64::NAN,
+        )
     });
     let curve = Curve::new(
         format!("front of the column, {}", rung.label),
@@ -126,7 +124,7 @@ fn found(rung: &Rung, mut run: RunOut) -> Found {
     );
     Found {
         drawings: vec![run.drawing],
-        ..Found::new(run.quantities, Some(curve))
+        ..Found::of(run.quantities).drawn(curve)
     }
 }
 

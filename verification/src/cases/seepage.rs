@@ -78,12 +78,9 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
         }
     }
     let exact = reference.of(&WRONG_CONDUCTIVITY) * CONDUCTIVITY * GRAVITY / CONDUCTIVITY_GRAVITY;
-    Ok(Found::new(
-        vec![
-            Quantity::compared(FLUX, flux / count, exact, "m/s"),
-            ratio(EFFECTIVE, Some(stress / (weight * HEIGHT))),
-            ratio(PRESSURE, Some(pressure / (WATER * GRAVITY * HEIGHT))),
-        ],
-        None,
-    ))
+    Ok(Found::of([
+        Quantity::compared(FLUX, flux / count, exact, "m/s"),
+        ratio(EFFECTIVE, Some(stress / (weight * HEIGHT))),
+        ratio(PRESSURE, Some(pressure / (WATER * GRAVITY * HEIGHT))),
+    ]))
 }

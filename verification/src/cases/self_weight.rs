@@ -29,10 +29,7 @@ pub static SELF_WEIGHT: Case = Case::new(
 )
 .ladder(cells_along(&[8, 16, 32], &[8, 16, 32, 64]))
 .method(|_| {
-    Settings::new(Method {
-        weighting: Weighting::ContiguousGimp(DomainUpdate::Stretch),
-        ..Method::DEFAULT
-    })
+    Settings::new(Method::DEFAULT.with_weighting(Weighting::ContiguousGimp(DomainUpdate::Stretch)))
 })
 .scene(scene)
 .displacements()
@@ -123,8 +120,5 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
     });
     let title = format!("vertical stress over the column, {}", run.rung.label);
     let axes = ["initial height (m)", "vertical stress (kPa)"];
-    Ok(Found::new(
-        quantities,
-        points.map(|points| Curve::new(title, axes, points)),
-    ))
+    Ok(Found::of(quantities).drawn(points.map(|points| Curve::new(title, axes, points))))
 }

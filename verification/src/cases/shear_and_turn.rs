@@ -389,5 +389,5 @@ fn options(rung: &Rung, _: Reference, mut options: Options) -> Options {
 fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
     let (rung, simulation) = (run.rung, &*run.simulation);
     let quantities = quantities(run.reference, *rung.problem::<Variant>(), rung, simulation);
-    Ok(Found::new(quantities, None))
+    Ok(Found::of(quantities))
 }

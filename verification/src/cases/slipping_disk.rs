@@ -169,5 +169,5 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
         ["t in s", "L in kg m²/s per m"],
         points,
     );
-    Ok(Found::new(quantities, Some(curve)))
+    Ok(Found::of(quantities).drawn(curve))
 }

@@ -37,10 +37,7 @@ const CRACK_BAND: &str = "crack band"; // Softening that scales with the cell
 const BEYOND: &str = "run-out over height"; // How far the front came beyond the foot of the slope
 
 /// APIC, which does not ring where particles cross cells.
-const METHOD: Method = Method {
-    transfer: TransferKind::Apic,
-    ..Method::DEFAULT
-};
+const METHOD: Method = Method::DEFAULT.with_transfer(TransferKind::Apic);
 
 const WRONG_WORK: Wrong =
     Wrong::factor("work of gravity", 0.5).breaks_only(|gate| gate.contains("from nowhere"));
@@ -181,6 +178,6 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
     quantities.push(Quantity::figure(BEYOND, beyond, "1"));
     Ok(Found {
         drawings: vec![run.drawing],
-        ..Found::new(quantities, Some(curve))
+        ..Found::of(quantities).drawn(curve)
     })
 }

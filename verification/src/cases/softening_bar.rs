@@ -175,7 +175,7 @@ fn pull(
         ],
         points,
     );
-    Ok(Found::new(quantities, Some(curve)))
+    Ok(Found::of(quantities).drawn(curve))
 }
 
 /// Mean of the stress along the bar in a body \[Pa\].

@@ -292,10 +292,7 @@ fn wave_speed() -> f64 {
 }
 
 fn method(rung: &Rung) -> Settings {
-    Settings::new(Method {
-        scheme: variant(rung).1,
-        ..Method::DEFAULT
-    })
+    Settings::new(Method::DEFAULT.with_scheme(variant(rung).1))
 }
 
 fn scene(rung: &Rung, settings: &Settings, reference: Reference) -> Scene {
@@ -368,5 +365,5 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
         look(simulation, &terrain, &start, &mut seen);
     })?;
     let quantities = quantities(rung, simulation, &seen, &start, touch);
-    Ok(Found::new(quantities, None))
+    Ok(Found::of(quantities))
 }

@@ -274,7 +274,7 @@ fn spin(
     let names = [TURNED, PRINCIPAL, MULTIPLIER, WORK];
     let quantities = names.into_iter().zip(off);
     let quantities = quantities.map(|(name, off)| Quantity::of_zero(name, off));
-    Ok(Found::new(quantities.collect(), None))
+    Ok(Found::of(quantities.collect::<Vec<_>>()))
 }
 
 fn rungs(size: Size) -> Vec<Rung> {

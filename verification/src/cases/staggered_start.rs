@@ -157,5 +157,5 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
         |x| [exact.displacement([x[0]], t)[0], 0.0, 0.0],
         |x| uniaxial(exact.stress([x[0]], t)[0]),
     );
-    Ok(Found::new(quantities, None))
+    Ok(Found::of(quantities))
 }

@@ -207,7 +207,7 @@ fn pressed(
     let force = (after[1] - before[1]) / (after[0] - before[0]);
     let held = force / section(simulation) + STRAIN * YOUNG;
     quantities.push(Quantity::compared(HELD, held, 2.0 * exact.pressure, "Pa"));
-    Ok(Found::new(quantities, curve))
+    Ok(Found::of(quantities).drawn(curve))
 }
 
 /// Distance from the loaded end at which the stress is a third of the pressure \[m\]: a front that dispersion of third order has
@@ -292,7 +292,7 @@ fn thrown(
         Quantity::compared(PRESSURE, pressure, exact.stress, "Pa"),
         Quantity::compared(REBOUND, rebound, exact.velocity, "m/s"),
     ];
-    Ok(Found::new(quantities, None))
+    Ok(Found::of(quantities))
 }
 
 fn scene(rung: &Rung, settings: &Settings) -> Scene {

@@ -233,7 +233,7 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
         ["c t / H", "pressure / (rho g H)"],
         points,
     );
-    Ok(Found::new(quantities, Some(curve)))
+    Ok(Found::of(quantities).drawn(curve))
 }
 
 fn guest(rung: &Rung) -> Result<Guest, &'static str> {

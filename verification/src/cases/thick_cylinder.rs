@@ -98,8 +98,7 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
     let h = rung.cell;
     // Two cells before the wall and behind it, so that nothing but the wall is there.
     let first = INNER - 2.0 * h - if rung.variant == OFF { BESIDE * h } else { 0.0 };
-    let mut mesh = strip(h, [cells(OUTER - INNER, h) + 5, 1]);
-    mesh.axisymmetric = true;
+    let mut mesh = revolved_strip(h, [cells(OUTER - INNER, h) + 5, 1]);
     mesh.origin[0] = first;
     mesh.planes[0] = [PlaneCondition::Free; 2];
     settings.applied(Scene {
@@ -141,12 +140,10 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
     let points = run.along(0, |p, x| [run.stress(p)[2], exact.cylinder_stress(x)[2]]);
     let title = format!("hoop stress through the wall, {}", run.rung.label);
     let curve = points.map(|points| Curve::new(title, ["r (m)", "stress / p"], points));
-    Ok(Found::new(
-        vec![
-            ratio(DISPLACEMENT, displacement),
-            ratio(RADIAL, radial),
-            Quantity::balance(RESIDUAL, run.residual, "1"),
-        ],
-        curve,
-    ))
+    Ok(Found::of([
+        ratio(DISPLACEMENT, displacement),
+        ratio(RADIAL, radial),
+        Quantity::balance(RESIDUAL, run.residual, "1"),
+    ])
+    .drawn(curve))
 }

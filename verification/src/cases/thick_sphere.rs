@@ -121,10 +121,7 @@ fn exact(variant: &str, factor: f64, r: f64) -> (f64, [f64; 2]) {
 fn scene(rung: &Rung, settings: &Settings) -> Scene {
     let h = rung.cell;
     let far = OUTER + BEYOND * h;
-    let mut mesh = strip(h, [cells(OUTER, h) + BEYOND as usize + 2; 2]);
-    mesh.axisymmetric = true;
-    mesh.planes[0][1] = PlaneCondition::Free;
-    mesh.planes[1][1] = PlaneCondition::Free;
+    let mesh = open_quarter(h, [cells(OUTER, h) + BEYOND as usize + 2; 2]);
     let speed = p_wave_speed(YOUNG, POISSON, DENSITY);
     let law: AnyLaw = if rung.variant == ELASTIC {
         elastic_law(YOUNG, POISSON)
@@ -212,12 +209,10 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
         ["distance from the middle (m)", "stress (Pa)"],
         points,
     );
-    Ok(Found::new(
-        vec![
-            ratio(DISPLACEMENT, displacement),
-            ratio(CELLS, stress),
-            Quantity::balance(RESIDUAL, run.residual, "1"),
-        ],
-        Some(curve),
-    ))
+    Ok(Found::of([
+        ratio(DISPLACEMENT, displacement),
+        ratio(CELLS, stress),
+        Quantity::balance(RESIDUAL, run.residual, "1"),
+    ])
+    .drawn(curve))
 }

@@ -323,11 +323,7 @@ fn lines(runs: &Runs<'_>) -> Verdict {
 }
 
 fn method(rung: &Rung) -> Settings {
-    Settings::new(Method {
-        scheme: rung.problem::<Problem>().scheme,
-        ..Method::DEFAULT
-    })
-    .courant(COURANT)
+    Settings::new(Method::DEFAULT.with_scheme(rung.problem::<Problem>().scheme)).courant(COURANT)
 }
 
 fn scene(rung: &Rung, settings: &Settings, reference: Reference) -> Scene {
@@ -407,5 +403,5 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
     })?;
     let quantities = quantities(&tracks[0], deepest, aside(simulation) - begin, &problem);
     let curve = sliding_curve(&tracks[0], &exact(&problem), &rung.label);
-    Ok(Found::new(quantities, Some(curve)))
+    Ok(Found::of(quantities).drawn(curve))
 }

@@ -90,10 +90,7 @@ fn time() -> f64 {
 
 fn scene(rung: &Rung, _: &Settings) -> Scene {
     let h = rung.cell;
-    let mut mesh = strip(h, [cells(RADIUS, h) + 1, cells(HEIGHT, h) + 1]);
-    mesh.axisymmetric = true;
-    mesh.planes[0][1] = PlaneCondition::Free;
-    mesh.planes[1][1] = PlaneCondition::Free;
+    let mesh = open_quarter(h, [cells(RADIUS, h) + 1, cells(HEIGHT, h) + 1]);
     let mut soil = body("soil", 1, rectangle([0.0; 2], [RADIUS, HEIGHT]));
     soil.initial_stress = InitialStress::Isotropic(-CELL);
     let law = MohrCoulomb::new(YOUNG, POISSON, [FRICTION, COHESION, FRICTION]);
@@ -107,10 +104,7 @@ fn scene(rung: &Rung, _: &Settings) -> Scene {
         }],
         ..plane_scene("triaxial", mesh, time())
     };
-    let method = Method {
-        weighting: Weighting::Linear,
-        ..Method::DEFAULT
-    };
+    let method = Method::DEFAULT.with_weighting(Weighting::Linear);
     Settings::new(method).apply(&mut scene);
     scene
 }
@@ -153,14 +147,11 @@ fn found(simulation: &Simulation, carried: f64) -> Result<Found, Failure> {
     });
     let last = outer.as_deref().and_then(<[CurvePoint]>::last);
     let widening = last.ok_or("no displacements are kept")?.computed;
-    Ok(Found::new(
-        vec![
-            Quantity::compared(LOAD, carried, exact.carried, "Pa"),
-            ratio(STRESS, stress),
-            Quantity::compared(RIM, widening, exact.widening(shortening()), "1"),
-        ],
-        None,
-    ))
+    Ok(Found::of([
+        Quantity::compared(LOAD, carried, exact.carried, "Pa"),
+        ratio(STRESS, stress),
+        Quantity::compared(RIM, widening, exact.widening(shortening()), "1"),
+    ]))
 }
 
 /// Results do not depend on the reference, but for the exact values beside them.

@@ -203,7 +203,7 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
             [xx, yy, zz, 0.0, 0.0, xy]
         },
     );
-    Ok(Found::new(quantities, None))
+    Ok(Found::of(quantities))
 }
 
 /// Tables, and orders that are not judged.

@@ -16,6 +16,7 @@
 //! with any law. Expected: order 1 or better of the stress, 2 of the displacement. `proctor verify yielding-column`.
 
 use super::prelude::*;
+use super::vocabulary::moved::smooth;
 use super::vocabulary::yielding::{LAWS, Yielding};
 use crate::exact::yielding_column::YieldingColumn as Exact;
 
@@ -25,10 +26,7 @@ const STRENGTH: f64 = 4.6e3; // Yield stress of von Mises [Pa]: columns yield fr
 const DENSITY: f64 = 2000.0; // Density [kg/m³]
 const GRAVITY: f64 = 10.0; // Gravity [m/s²]
 /// B-splines, which have a stress that varies within a cell.
-const METHOD: Method = Method {
-    weighting: Weighting::QuadraticBSpline,
-    ..Method::DEFAULT
-};
+const METHOD: Method = Method::DEFAULT.with_weighting(Weighting::QuadraticBSpline);
 const WIDTH: usize = 1; // Cells across the column. The answer does not vary across it
 const AIR: usize = 1; // Empty cells above the column
 const PERIODS: f64 = 4.0; // Periods of the elastic column over which gravity rises
@@ -122,8 +120,7 @@ fn settle(
     let rise = rise(rung);
     observer.phase(Phase::Stepping);
     while simulation.time() < rise {
-        let s = simulation.time() / rise;
-        let share = s * s * s * (10.0 + s * (6.0 * s - 15.0));
+        let [share, _] = smooth(simulation.time() / rise);
         simulation.set_gravity([0.0, -share * GRAVITY, 0.0])?;
         step(simulation, rise, observer)?;
     }
@@ -184,7 +181,7 @@ fn found(reference: Reference, rung: &Rung, simulation: &Simulation) -> Result<F
         ),
         Quantity::compared(PLASTIC, simulation.plastic_work(), plastic, "J"),
     ];
-    Ok(Found::new(quantities, curve(simulation, &exact, rung)))
+    Ok(Found::of(quantities).drawn(curve(simulation, &exact, rung)))
 }
 
 /// Lateral stress over the initial height.

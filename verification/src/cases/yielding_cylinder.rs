@@ -115,8 +115,7 @@ fn rise() -> f64 {
 fn scene(rung: &Rung, settings: &Settings) -> Scene {
     const POINTS: usize = 200;
     let h = rung.cell;
-    let mut mesh = strip(h, [cells(OUTER - INNER, h) + 5, 1]);
-    mesh.axisymmetric = true;
+    let mut mesh = revolved_strip(h, [cells(OUTER - INNER, h) + 5, 1]);
     mesh.origin[0] = INNER - 2.0 * h;
     mesh.planes[0] = [PlaneCondition::Free; 2];
     let pressure = exact(1.0).cylinder_pressure(front(rung.variant));
@@ -185,20 +184,18 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
     });
     let title = format!("hoop stress through the wall, {}", run.rung.label);
     let curve = points.map(|points| Curve::new(title, ["r (m)", "stress (Pa)"], points));
-    Ok(Found::new(
-        vec![
-            ratio(DISPLACEMENT, displacement),
-            Quantity::compared(
-                WIDENING,
-                face,
-                exact.cylinder_displacement(front, INNER),
-                "m",
-            ),
-            ratio(RADIAL, radial),
-            Quantity::balance(RESIDUAL, run.residual, "1"),
-        ],
-        curve,
-    ))
+    Ok(Found::of([
+        ratio(DISPLACEMENT, displacement),
+        Quantity::compared(
+            WIDENING,
+            face,
+            exact.cylinder_displacement(front, INNER),
+            "m",
+        ),
+        ratio(RADIAL, radial),
+        Quantity::balance(RESIDUAL, run.residual, "1"),
+    ])
+    .drawn(curve))
 }
 
 /// Radius up to which a wall has yielded under a pressure \[m; Pa\].

@@ -10,8 +10,8 @@ use proctor_kernel::lanes::{LaneChoice, Selected};
 
 const STRENGTH: f64 = 1.0; // Strength of the laws [Pa]: yield stress, cohesion
 const SPREAD: f64 = 6.0; // States are so many times the strength at most
-/// Friction and dilation \[°\].
-const ANGLES: [f64; 2] = [30.0, 10.0];
+/// Friction \[°\], cohesion \[Pa\] and dilation \[°\].
+const SOIL: [f64; 3] = [30.0, STRENGTH, 10.0];
 /// Tensile strength \[Pa\].
 const TENSILE: f64 = 0.4;
 const SEED: u64 = 2026;
@@ -62,46 +62,33 @@ const SOLIDS: [Solid; 8] = [
         beyond: |strength, s| pyramid(0.0, strength, f64::INFINITY, s),
     },
     Solid {
-        law: || {
-            let law = Tresca::new(YOUNG, POISSON, STRENGTH);
-            law.with_tensile(TENSILE).into()
-        },
+        law: || (Tresca::new(YOUNG, POISSON, STRENGTH).with_tensile(TENSILE)).into(),
         beyond: |strength, s| pyramid(0.0, strength, TENSILE * strength, s),
     },
     Solid {
-        law: || {
-            let [friction, dilation] = ANGLES;
-            MohrCoulomb::new(YOUNG, POISSON, [friction, STRENGTH, dilation]).into()
-        },
-        beyond: |strength, s| pyramid(ANGLES[0], strength, f64::INFINITY, s),
+        law: || MohrCoulomb::new(YOUNG, POISSON, SOIL).into(),
+        beyond: |strength, s| pyramid(SOIL[0], strength, f64::INFINITY, s),
     },
     Solid {
-        law: || {
-            let [friction, dilation] = ANGLES;
-            let law = MohrCoulomb::new(YOUNG, POISSON, [friction, STRENGTH, dilation]);
-            law.with_tensile(TENSILE).into()
-        },
-        beyond: |strength, s| pyramid(ANGLES[0], strength, TENSILE * strength, s),
+        law: || (MohrCoulomb::new(YOUNG, POISSON, SOIL).with_tensile(TENSILE)).into(),
+        beyond: |strength, s| pyramid(SOIL[0], strength, TENSILE * strength, s),
     },
     Solid {
-        law: || MohrCoulomb::new(YOUNG, POISSON, [ANGLES[0], 0.0, 0.0]).into(),
-        beyond: |strength, s| pyramid(strength * ANGLES[0], 0.0, 0.0, s),
+        law: || MohrCoulomb::new(YOUNG, POISSON, [SOIL[0], 0.0, 0.0]).into(),
+        beyond: |strength, s| pyramid(strength * SOIL[0], 0.0, 0.0, s),
     },
     Solid {
-        law: || {
-            let [friction, dilation] = ANGLES;
-            let soil = [friction, STRENGTH, dilation];
-            DruckerPrager::new(YOUNG, POISSON, soil, ConeMatch::Outer).into()
-        },
-        beyond: |strength, s| cone(-1.0, ANGLES[0], strength, s),
+        law: || DruckerPrager::new(YOUNG, POISSON, SOIL, ConeMatch::Outer).into(),
+        beyond: |strength, s| cone(-1.0, SOIL[0], strength, s),
     },
     Solid {
-        law: || {
-            DruckerPrager::new(YOUNG, POISSON, [ANGLES[0], STRENGTH, 0.0], ConeMatch::Inner).into()
-        },
-        beyond: |strength, s| cone(1.0, ANGLES[0], strength, s),
+        law: || DruckerPrager::new(YOUNG, POISSON, UNDILATED, ConeMatch::Inner).into(),
+        beyond: |strength, s| cone(1.0, SOIL[0], strength, s),
     },
 ];
+
+/// The soil without dilation.
+const UNDILATED: [f64; 3] = [SOIL[0], STRENGTH, 0.0];
 
 /// Principal stresses over the strength on edges and at apexes, of two or three that are equal, and of none.
 const AT_CORNERS: [[f64; 3]; 11] = [

@@ -196,7 +196,7 @@ fn flow(
     let quantities = vec![ratio(STARTING, errors[0]), ratio(AT_LAST, errors[1])];
     let time = simulation.velocity_time();
     let curve = profile(rung, simulation, |y| exact(y, time));
-    Ok(Found::new(quantities, curve))
+    Ok(Found::of(quantities).drawn(curve))
 }
 
 /// Runs to the end; velocity and shear stress are exact by the distance from the wall at rest.
@@ -217,7 +217,7 @@ fn at_last(
         quantities.push(ratio(STRESS, stress));
     }
     let curve = profile(rung, simulation, |y| exact(y).0);
-    Ok(Found::new(quantities, curve))
+    Ok(Found::of(quantities).drawn(curve))
 }
 
 /// Velocity over the channel.

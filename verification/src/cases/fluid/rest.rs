@@ -13,10 +13,7 @@ const BULK: f64 = 1.0e6; // Bulk modulus [Pa]: a hundred times the pressure at t
 const OVERDAMPED: f64 = 1.2;
 const RESIDUAL: f64 = 1e-7; // Norm of the unbalanced force over the weight at which it is at rest
 /// B-splines, which have a stress that varies within a cell.
-const METHOD: Method = Method {
-    weighting: Weighting::QuadraticBSpline,
-    ..Method::DEFAULT
-};
+const METHOD: Method = Method::DEFAULT.with_weighting(Weighting::QuadraticBSpline);
 const PRESSURE: &str = "L2(pressure)"; // Name of the quantity
 
 /// The column at rest.
@@ -94,5 +91,5 @@ fn run(
         ratio(PRESSURE, pressures),
         ratio(DISPLACEMENT, displacement),
     ];
-    Ok(Found::new(quantities, curve))
+    Ok(Found::of(quantities).drawn(curve))
 }

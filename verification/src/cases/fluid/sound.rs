@@ -102,7 +102,7 @@ fn run(
     // The first velocity is half a step from the next, all others are a whole one apart.
     let rate = decay(&all[1..], end / simulation.steps() as f64);
     let quantity = Quantity::compared(RATE, rate, exact, "1/s");
-    Ok(Found::new(vec![quantity], None))
+    Ok(Found::of([quantity]))
 }
 
 /// Rate of decay of a swing by its values `dt` (s) apart (Prony): those a quarter period apart are related by

@@ -357,11 +357,7 @@ pub fn sliding_curve(track: &Track, exact: &Slope, label: &str) -> Curve {
         abscissa: "time since the release (s)",
         ordinate: "displacement (m)",
         points: points
-            .map(|&[t, d]| CurvePoint {
-                at: t,
-                computed: d,
-                exact: exact.displacement(t),
-            })
+            .map(|&[t, d]| CurvePoint::new(t, d, exact.displacement(t)))
             .collect(),
     }
 }

@@ -23,10 +23,7 @@ pub const PAPER: Method = Method {
 };
 
 /// uGIMP and USL with APIC.
-pub const APIC: Method = Method {
-    transfer: TransferKind::Apic,
-    ..Method::DEFAULT
-};
+pub const APIC: Method = Method::DEFAULT.with_transfer(TransferKind::Apic);
 
 /// The paper's APIC: particles keep their velocity, the affine part goes to the nodes.
 pub fn without_pic(scene: &mut Scene) {

@@ -97,6 +97,21 @@ pub fn strip(cell: f64, [along, up]: [usize; 2]) -> Mesh {
     Mesh::new(Dimension::Two, [0.0; 3], [cell; 3], [along, up, 1])
 }
 
+/// The same around an axis of revolution, the left side.
+pub fn revolved_strip(cell: f64, [along, up]: [usize; 2]) -> Mesh {
+    let mut mesh = strip(cell, [along, up]);
+    mesh.axisymmetric = true;
+    mesh
+}
+
+/// The same, free outside and above.
+pub fn open_quarter(cell: f64, [along, up]: [usize; 2]) -> Mesh {
+    let mut mesh = revolved_strip(cell, [along, up]);
+    mesh.planes[0][1] = PlaneCondition::Free;
+    mesh.planes[1][1] = PlaneCondition::Free;
+    mesh
+}
+
 /// Number of cells along a length \[m\].
 pub fn cells(length: f64, cell: f64) -> usize {
     (length / cell).round() as usize

@@ -157,11 +157,7 @@ pub fn along(
     let point = |p| {
         let at = simulation.initial_position(0, p)?[axis];
         let [computed, exact] = field(p, at);
-        Some(CurvePoint {
-            at,
-            computed,
-            exact,
-        })
+        Some(CurvePoint::new(at, computed, exact))
     };
     let points = (0..simulation.sets()[0].len()).map(point);
     let mut points: Vec<_> = points.collect::<Option<_>>()?;

@@ -44,7 +44,7 @@ impl Vibration<'_> {
             points,
         );
         let frequency = Quantity::compared(quantity, 1.0 / (third - first), self.frequency, "Hz");
-        Ok(Found::new(vec![frequency], Some(curve)))
+        Ok(Found::of([frequency]).drawn(curve))
     }
 
     /// The share of the mode in the velocities, over that of the start.

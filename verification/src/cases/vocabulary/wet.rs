@@ -3,6 +3,7 @@
 use proctor_scene::simulation::Simulation;
 use proctor_scene::{History, PlaneCondition, PoreWater, Scene, Traction};
 
+use super::moved::smooth;
 use super::parts::{body, cells, elastic, plane_scene, rectangle, strip};
 use crate::exact::two_phase_column::TwoPhaseColumn;
 use crate::settings::Settings;
@@ -78,11 +79,6 @@ pub fn wet_column(name: &str, h: f64, settings: &Settings, water: PoreWater, end
     })
 }
 
-/// Share of a load that has come on at the share s of its time.
-pub fn smooth(s: f64) -> f64 {
-    s * s * s * (10.0 + s * (6.0 * s - 15.0))
-}
-
 /// A pressure \[Pa\] on the top of the strip, which comes on smoothly \[s\].
 pub fn pressed(h: f64, load: f64, ramp: f64) -> Traction {
     let s = (0..=ROWS).map(|i| f64::from(i) / f64::from(ROWS));
@@ -91,7 +87,7 @@ pub fn pressed(h: f64, load: f64, ramp: f64) -> Traction {
         p2: [h, HEIGHT, 0.0],
         traction: History {
             times: s.clone().map(|s| s * ramp).collect(),
-            values: s.map(|s| [0.0, -load * smooth(s), 0.0]).collect(),
+            values: s.map(|s| [0.0, -load * smooth(s)[0], 0.0]).collect(),
         },
     }
 }

@@ -1,52 +1,23 @@
 //! Stiff beside soft and heavy beside light.
 
-use std::sync::Arc;
-
-use proctor_scene::simulation::{InitialField, InitialState};
-use proctor_scene::{DomainUpdate, PlaneCondition, Scene, Shape, Weighting};
-
-use super::trial::{
-    Kept, ROUND_OFF, STEP_OF_FASTEST, elastic, kept, open, run_steps, run_to, start, step, worst,
-};
-use super::{Extreme, Finding, Unexpected};
-use crate::case::Gate;
-use crate::cases::AT_REST;
+use super::prelude::*;
 use crate::exact::sudden_weight::SuddenWeight;
-use crate::stability::map::SCHEMES;
 
 /// The rows of this file.
 pub static ROWS: &[Extreme] = &[
-    Extreme {
-        name: "stiffness-contrast",
-        what: "a soft layer on one that is 1e6 times as stiff",
-        required: "the step from the stiff layer; the stress under its weight exact; the soft layer as good as alone, times two",
-        cause: None,
-        judge: stiffness,
-    },
-    Extreme {
-        name: "density-contrast",
-        what: "a light bar at the end of one that is 1e6 times as dense",
-        required: "the step from the wave speed of each particle; momentum to round-off; the light bar swings as a clamped one",
-        cause: None,
-        judge: density,
-    },
-    Extreme {
-        name: "contrast-of-both",
-        what: "layers and quarters with stiffness 1 and 1e9 and density 1 and 1e6 in one scene",
-        required: "the stress under the weight exact; momentum to round-off, no growth of energy",
-        cause: None,
-        judge: both,
-    },
+    Extreme::of("stiffness-contrast", stiffness)
+        .with("a soft layer on one that is 1e6 times as stiff")
+        .must("the step from the stiff layer; the stress under its weight exact; the soft layer as good as alone, times two"),
+    Extreme::of("density-contrast", density)
+        .with("a light bar at the end of one that is 1e6 times as dense")
+        .must("the step from the wave speed of each particle; momentum to round-off; the light bar swings as a clamped one"),
+    Extreme::of("contrast-of-both", both)
+        .with("layers and quarters with stiffness 1 and 1e9 and density 1 and 1e6 in one scene")
+        .must("the stress under the weight exact; momentum to round-off, no growth of energy"),
 ];
 
 /// Weighting functions with which particles that fill their cells carry a linear stress exactly.
-const EXACT: [Weighting; 3] = [
-    Weighting::Linear,
-    Weighting::UniformGimp,
-    Weighting::ContiguousGimp(DomainUpdate::Stretch),
-];
-/// Weighting functions with a stable step for every body.
-const SAFE: [Weighting; 3] = [EXACT[1], EXACT[2], Weighting::QuadraticBSpline];
+const EXACT: [Weighting; 3] = [Weighting::Linear, Weighting::UniformGimp, CONTIGUOUS];
 /// Steps of a column that should stand still.
 const STANDS: u64 = 1000;
 /// Largest error of a stress that is carried exactly, over the largest stress: round-off of many steps, in stresses and
@@ -68,7 +39,7 @@ fn column(layers: &[Layer], gravity: f64) -> Scene {
     for &(cells, young, density) in layers {
         let above = below + cells as f64;
         let material = scene.add_material(elastic(young, 0.0), density);
-        scene.add_body(Shape::rectangle([0.0, below], [1.0, above]), material);
+        scene.add_body(rectangle([0.0, below], [1.0, above]), material);
         below = above;
     }
     scene
@@ -85,40 +56,38 @@ fn carried(layers: &[Layer], gravity: f64, y: f64) -> f64 {
     stress
 }
 
-/// Largest error of the stress in a column that starts in balance, over that at its base: the worst over methods.
-fn error_of_a_standing_column(layers: &'static [Layer], gravity: f64) -> Result<f64, Unexpected> {
-    let mut most = 0.0;
-    for weighting in EXACT {
-        for scheme in SCHEMES {
-            let mut scene = column(layers, gravity);
-            (scene.weighting, scene.scheme) = (weighting, scheme);
-            let settled: InitialField = Arc::new(move |x| InitialState {
-                stress: [0.0, carried(layers, gravity, x[1]), 0.0, 0.0, 0.0, 0.0],
-                ..AT_REST
-            });
-            let mut simulation = start(&scene, Some(settled))?;
-            run_steps(&mut simulation, STANDS, |_, _| ())?;
-            for (index, set) in simulation.sets().iter().enumerate() {
-                for p in 0..set.len() {
-                    let y = simulation.position(index, p)[1];
-                    let off = set.stress(p)[1] - carried(layers, gravity, y);
-                    most = worst(most, (off / carried(layers, gravity, 0.0)).abs());
-                }
+/// The stress of a column that starts in balance, with each method.
+fn standing_column(layers: &'static [Layer], gravity: f64) -> Judgement {
+    let mut off = gate("stress of the standing column, over that at its base")
+        .at_most(STANDS_TO)
+        .because(IN_BALANCE);
+    let settled = stressed(move |x| [0.0, carried(layers, gravity, x[1]), 0.0, 0.0, 0.0, 0.0]);
+    for scene in each_scheme(&column(layers, gravity), EXACT) {
+        let mut simulation = start(&scene, &settled)?;
+        each_of(&mut simulation, STANDS, |_, _| ())?;
+        for (index, set) in simulation.sets().iter().enumerate() {
+            for p in 0..set.len() {
+                let exact = carried(layers, gravity, simulation.position(index, p)[1]);
+                let error = set.stress(p)[1] - exact;
+                off.see((error / carried(layers, gravity, 0.0)).abs());
             }
         }
     }
-    Ok(most)
+    Ok(off)
 }
 
 /// The critical step of a scene at rest over C h/c, less one.
-fn error_of_the_step(scene: &Scene, wave_speed: f64) -> Result<f64, Unexpected> {
-    let mut simulation = start(scene, None)?;
+fn critical_step(whose: &str, scene: &Scene, wave_speed: f64) -> Judgement {
+    let mut simulation = start(scene, &options())?;
     let number = simulation.stability_number();
-    let found = step(&mut simulation, f64::INFINITY)?.dt_critical;
-    Ok((found * wave_speed / number - 1.0).abs())
+    let found = step(&mut simulation, NEVER)?.dt_critical;
+    Ok(gate(format!("critical step against that of {whose}"))
+        .at_most(ROUND_OFF)
+        .because(STEP_OF_FASTEST)
+        .found((found * wave_speed / number - 1.0).abs()))
 }
 
-fn stiffness() -> Result<Finding, Unexpected> {
+fn stiffness() -> Judged {
     const LAYERS: &[Layer] = &[(4, 1e6, 1.0), (8, 1.0, 1.0)];
     const GRAVITY: f64 = 1e-6;
     let exact = SuddenWeight {
@@ -129,10 +98,9 @@ fn stiffness() -> Result<Finding, Unexpected> {
     // While the front from the base is on its way up, over the largest stress.
     let end = 0.75 * exact.height;
     let error = |layers: &[Layer], scheme, base: f64| -> Result<f64, Unexpected> {
-        let mut scene = column(layers, GRAVITY);
-        scene.scheme = scheme;
-        let mut simulation = start(&scene, None)?;
-        run_to(&mut simulation, end, |_, _| ())?;
+        let scene = column(layers, GRAVITY).with_scheme(scheme);
+        let mut simulation = start(&scene, &options())?;
+        to_time(&mut simulation, end)?;
         let index = layers.len() - 1;
         let set = &simulation.sets()[index];
         let squares = (0..set.len()).map(|p| {
@@ -142,156 +110,81 @@ fn stiffness() -> Result<Finding, Unexpected> {
         let scale = GRAVITY * exact.height;
         Ok((squares.sum::<f64>() / set.len() as f64).sqrt() / scale)
     };
-    let mut ratio = 0.0;
+    let mut ratio = gate("error of the suddenly loaded soft layer over that of its own run")
+        .at_most(2.0)
+        .because("what is 1e6 times as stiff is a rigid base, so that nothing but the shorter step differs");
     for scheme in SCHEMES {
         let own = error(&LAYERS[1..], scheme, 0.0)?;
-        ratio = worst(ratio, error(LAYERS, scheme, 4.0)? / own);
+        ratio.see(error(LAYERS, scheme, 4.0)? / own);
     }
-    Ok(Finding {
-        gates: vec![
-            Gate::at_most(
-                String::from("critical step against that of the stiff layer"),
-                error_of_the_step(&column(LAYERS, 0.0), 1e3)?,
-                ROUND_OFF,
-                STEP_OF_FASTEST,
-            ),
-            Gate::at_most(
-                String::from("stress of the standing column, over that at its base"),
-                error_of_a_standing_column(LAYERS, GRAVITY)?,
-                STANDS_TO,
-                IN_BALANCE,
-            ),
-            Gate::at_most(
-                String::from("error of the suddenly loaded soft layer over that of its own run"),
-                ratio,
-                2.0,
-                "what is 1e6 times as stiff is a rigid base, so that nothing but the shorter step differs",
-            ),
-        ],
-        refusals: vec![],
-    })
+    Ok(Finding::of([
+        critical_step("the stiff layer", &column(LAYERS, 0.0), 1e3)?,
+        standing_column(LAYERS, GRAVITY)?,
+        ratio,
+    ]))
 }
 
-fn density() -> Result<Finding, Unexpected> {
+fn density() -> Judged {
     const HEAVY: f64 = 4.0;
     const LIGHT: f64 = 8.0;
     const SPEED: f64 = 1e-4;
-    let bar = || {
-        let mut scene = open([16, 1]);
-        scene.mesh.planes[1] = [PlaneCondition::Sliding; 2];
-        let heavy = scene.add_material(elastic(1.0, 0.0), 1e6);
-        let light = scene.add_material(elastic(1.0, 0.0), 1.0);
-        let ends = [2.0, 2.0 + HEAVY, 2.0 + HEAVY + LIGHT];
-        scene.add_body(Shape::rectangle([ends[0], 0.0], [ends[1], 1.0]), heavy);
-        scene.add_body(Shape::rectangle([ends[1], 0.0], [ends[2], 1.0]), light);
-        scene
-    };
-    let wave = std::f64::consts::FRAC_PI_2 / LIGHT;
-    let swings: InitialField = Arc::new(move |x| InitialState {
-        velocity: [
-            SPEED * libm::sin(wave * (x[0] - 2.0 - HEAVY).max(0.0)),
-            0.0,
-            0.0,
-        ],
-        ..AT_REST
-    });
-    let [mut off, mut smeared, mut drift, mut grown] = [0.0; 4];
-    for weighting in SAFE {
-        for scheme in SCHEMES {
-            let mut scene = bar();
-            (scene.weighting, scene.scheme) = (weighting, scheme);
-            let mut simulation = start(&scene, Some(swings.clone()))?;
-            let mut balance = Kept::of(&simulation);
-            let from = simulation.center(1).position[0];
-            run_to(&mut simulation, LIGHT, |s, _| balance.look(s))?;
-            // A quarter of the period: the mean of SPEED sin(k x)/(k c).
-            let exact = SPEED / wave * std::f64::consts::FRAC_2_PI;
-            let moved = simulation.center(1).position[0] - from;
-            let own = (moved / exact - 1.0).abs();
-            if weighting == Weighting::QuadraticBSpline {
-                smeared = worst(smeared, own);
-            } else {
-                off = worst(off, own);
-            }
-            run_to(&mut simulation, 80.0 * LIGHT, |s, _| balance.look(s))?;
-            drift = worst(drift, balance.drift);
-            grown = worst(grown, balance.grown);
-        }
+    let mut bar = open([16, 1]);
+    bar.mesh.planes[1] = [PlaneCondition::Sliding; 2];
+    for (left, length, density) in [(2.0, HEAVY, 1e6), (2.0 + HEAVY, LIGHT, 1.0)] {
+        let material = bar.add_material(elastic(1.0, 0.0), density);
+        bar.add_body(rectangle([left, 0.0], [left + length, 1.0]), material);
     }
-    let mut gates = vec![
-        Gate::at_most(
-            String::from("critical step against that of the light bar"),
-            error_of_the_step(&bar(), 1.0)?,
-            ROUND_OFF,
-            STEP_OF_FASTEST,
-        ),
-        Gate::at_most(
-            String::from("way of the light bar in a quarter of its period, GIMP"),
-            off,
-            0.01,
-            "the impedances differ by 1e3, the grid by (k h)²/24, and the step by as much",
-        ),
-        Gate::at_most(
-            String::from("way of the light bar in a quarter of its period, B-splines"),
-            smeared,
-            2.0 / LIGHT,
-            "functions of the heavy bar reach the node one cell into the light one and hold it, and the way goes with the square of \
-             the length: 2 h/L",
-        ),
-    ];
-    gates.extend(kept("twenty periods", drift, grown));
-    Ok(Finding {
-        gates,
-        refusals: vec![],
-    })
+    let wave = FRAC_PI_2 / LIGHT;
+    let swings =
+        from(move |x| moving_along_x(SPEED * libm::sin(wave * (x[0] - 2.0 - HEAVY).max(0.0)), 0.0));
+    let mut off = gate("way of the light bar in a quarter of its period, GIMP")
+        .at_most(0.01)
+        .because("the impedances differ by 1e3, the grid by (k h)²/24, and the step by as much");
+    let mut smeared = gate("way of the light bar in a quarter of its period, B-splines")
+        .at_most(2.0 / LIGHT)
+        .because("functions of the heavy bar reach the node one cell into the light one and hold it, and the way goes with the square of \
+             the length: 2 h/L");
+    let mut kept = Kept::named("twenty periods");
+    for scene in each_scheme(&bar, SAFE) {
+        let mut simulation = kept.start(&scene, &swings)?;
+        let from = simulation.center(1).position[0];
+        run_to(&mut simulation, LIGHT, |s, _| kept.look(s))?;
+        // A quarter of the period: the mean of SPEED sin(k x)/(k c).
+        let exact = SPEED / wave * FRAC_2_PI;
+        let moved = simulation.center(1).position[0] - from;
+        let smooth = scene.weighting == Weighting::QuadraticBSpline;
+        let way = if smooth { &mut smeared } else { &mut off };
+        way.see((moved / exact - 1.0).abs());
+        run_to(&mut simulation, 80.0 * LIGHT, |s, _| kept.look(s))?;
+    }
+    let critical = critical_step("the light bar", &bar, 1.0)?;
+    Ok(Finding::of([critical, off, smeared]).and(kept.gates()))
 }
 
-fn both() -> Result<Finding, Unexpected> {
+fn both() -> Judged {
     const LAYERS: &[Layer] = &[(3, 1e9, 1.0), (3, 1.0, 1e6), (3, 1e9, 1e6), (3, 1.0, 1.0)];
     const GRAVITY: f64 = 1e-12;
-    let (mut drift, mut grown) = (0.0, 0.0);
-    for weighting in SAFE {
-        for scheme in SCHEMES {
-            let mut scene = open([12, 12]);
-            (scene.weighting, scene.scheme) = (weighting, scheme);
-            // Quarters of a block, not on the nodes; each kind beside two others.
-            for (x, y, young, density) in [
-                (2.9, 2.9, 1.0, 1.0),
-                (5.9, 2.9, 1e9, 1.0),
-                (2.9, 5.9, 1.0, 1e6),
-                (5.9, 5.9, 1e9, 1e6),
-            ] {
-                let material = scene.add_material(elastic(young, 0.3), density);
-                scene.add_body(Shape::rectangle([x, y], [x + 3.0, y + 3.0]), material);
-            }
-            let breathes: InitialField = Arc::new(|x| InitialState {
-                velocity: [1e-3 * (x[0] - 5.9), 1e-3 * (x[1] - 5.9), 0.0],
-                ..AT_REST
-            });
-            let mut simulation = start(&scene, Some(breathes))?;
-            let mut balance = Kept::of(&simulation);
-            run_steps(&mut simulation, STANDS, |s, _| balance.look(s))?;
-            drift = worst(drift, balance.drift);
-            grown = worst(grown, balance.grown);
-        }
+    let mut kept = Kept::named("quarters of a block");
+    let breathes = flying(|x| [1e-3 * (x[0] - 5.9), 1e-3 * (x[1] - 5.9), 0.0]);
+    // Quarters of a block, not on the nodes; each kind beside two others.
+    let mut quarters = open([12, 12]);
+    for (x, y, young, density) in [
+        (2.9, 2.9, 1.0, 1.0),
+        (5.9, 2.9, 1e9, 1.0),
+        (2.9, 5.9, 1.0, 1e6),
+        (5.9, 5.9, 1e9, 1e6),
+    ] {
+        let material = quarters.add_material(elastic(young, 0.3), density);
+        quarters.add_body(rectangle([x, y], [x + 3.0, y + 3.0]), material);
     }
-    let mut gates = vec![
-        Gate::at_most(
-            String::from("critical step against that of the stiff and light layer"),
-            error_of_the_step(&column(LAYERS, 0.0), 1e9_f64.sqrt())?,
-            ROUND_OFF,
-            STEP_OF_FASTEST,
-        ),
-        Gate::at_most(
-            String::from("stress of the standing column, over that at its base"),
-            error_of_a_standing_column(LAYERS, GRAVITY)?,
-            STANDS_TO,
-            IN_BALANCE,
-        ),
-    ];
-    gates.extend(kept("quarters of a block", drift, grown));
-    Ok(Finding {
-        gates,
-        refusals: vec![],
-    })
+    for scene in each_scheme(&quarters, SAFE) {
+        let mut simulation = kept.start(&scene, &breathes)?;
+        each_of(&mut simulation, STANDS, |s, _| kept.look(s))?;
+    }
+    let stiff = column(LAYERS, 0.0);
+    Ok(Finding::of([
+        critical_step("the stiff and light layer", &stiff, 1e9_f64.sqrt())?,
+        standing_column(LAYERS, GRAVITY)?,
+    ])
+    .and(kept.gates()))
 }

@@ -1,43 +1,19 @@
 //! Meshes and numbers of particles as no one would choose them: one to 64 particles per cell, cells a hundred times as long
 //! as wide, a mesh of one cell across.
 
-use std::sync::Arc;
+use super::prelude::*;
 
-use proctor_scene::simulation::{InitialField, InitialState, Simulation};
-use proctor_scene::{Dimension, Mesh, PlaneCondition, Scene, StressScheme};
-
-use super::runs::{
-    POISSON, YOUNG, apart, filled, from, methods, open, particles, soft, start, steps, with,
-};
-use super::{Extreme, Finding, Unexpected};
-use crate::case::Gate;
-use crate::cases::{AT_REST, NO_RESULTS, cuboid, material};
-use crate::settings::Method;
-use crate::stability::nonlinear::METHODS;
-use std::f64::consts::PI;
-
-pub const ROWS: &[Extreme] = &[
-    Extreme {
-        name: "particles-per-cell",
-        what: "1 to 64 particles per cell, in the plane and in space",
-        required: "the period of a bar is exact to the order of the mesh, and no energy comes from nowhere",
-        cause: None,
-        judge: particles_per_cell,
-    },
-    Extreme {
-        name: "aspect-100",
-        what: "cells of 1 : 100, waves along the long and along the short edge",
-        required: "the same of a bar along either edge",
-        cause: None,
-        judge: aspect,
-    },
-    Extreme {
-        name: "one-cell-across",
-        what: "a mesh of one cell across between walls, in the plane and in space",
-        required: "the period of a bar; in space the motion of the plane",
-        cause: None,
-        judge: one_cell_across,
-    },
+/// The rows of this file.
+pub static ROWS: &[Extreme] = &[
+    Extreme::of("particles-per-cell", particles_per_cell)
+        .with("1 to 64 particles per cell, in the plane and in space")
+        .must("the period of a bar is exact to the order of the mesh, and no energy comes from nowhere"),
+    Extreme::of("aspect-100", aspect)
+        .with("cells of 1 : 100, waves along the long and along the short edge")
+        .must("the same of a bar along either edge"),
+    Extreme::of("one-cell-across", one_cell_across)
+        .with("a mesh of one cell across between walls, in the plane and in space")
+        .must("the period of a bar; in space the motion of the plane"),
 ];
 
 /// Cells along a bar.
@@ -76,19 +52,18 @@ impl Bar {
         let mesh = Mesh::new(self.dimension, [0.0; 3], self.edges, cells);
         let mut far: [f64; 3] = std::array::from_fn(|a| cells[a] as f64 * self.edges[a]);
         far[axes..].fill(0.0);
-        let mut scene = Scene::new(self.dimension, mesh, 1.0);
-        scene.materials = material("elastic", 1.0, soft());
-        scene.results = NO_RESULTS;
-        scene.bodies = vec![filled(self.dimension, 1, cuboid([0.0; 3], far))];
-        scene.bodies[0].particles_per_cell[..axes].fill(self.particles_per_cell);
+        let mut scene = quiet(Scene::new(self.dimension, mesh, 1.0));
+        let material = scene.add_material(soft(), 1.0);
+        let mut body = scene.add_body(cuboid([0.0; 3], far), material);
+        body.particles_per_cell[..axes].fill(self.particles_per_cell);
         scene
     }
 
-    fn initial(&self) -> InitialField {
+    fn initial(&self) -> Options {
         let (axis, length) = (self.axis, self.length());
-        Arc::new(move |x| {
+        from(move |x| {
             let k = PI / length;
-            let mut state = InitialState { ..AT_REST };
+            let mut state = AT_REST;
             // Small strains: a ten thousandth of the speed of the waves.
             state.velocity[axis] = 1e-4 * libm::sin(k * x[axis]);
             state.velocity_gradient[axis][axis] = 1e-4 * k * libm::cos(k * x[axis]);
@@ -99,184 +74,142 @@ impl Bar {
     /// Share of the first mode in the velocities, times its norm.
     fn mode(&self, simulation: &Simulation) -> f64 {
         let k = PI / self.length();
-        let seen = particles(simulation);
-        seen.iter()
-            .map(|seen| libm::sin(k * seen.position[self.axis]) * seen.velocity[self.axis])
-            .sum()
+        let share =
+            |seen: &Seen| libm::sin(k * seen.position[self.axis]) * seen.velocity[self.axis];
+        particles(simulation).iter().map(share).sum()
     }
 
     /// Relative error of a quarter of the period, and the highest energy over that at the start.
-    fn swing(&self, method: Method) -> Result<[f64; 2], Unexpected> {
-        let what = format!(
-            "{method}, cells of {:?} m, {} particles per cell and axis",
-            self.edges, self.particles_per_cell
-        );
-        let scene = with(&self.scene(), method);
-        let mut simulation = start(&what, &scene, &from(self.initial()))?;
+    fn swing(&self, method: Method, [period, grown]: &mut [Gate; 2]) -> Result<(), Unexpected> {
+        let mut simulation = start(&with(&self.scene(), method), &self.initial())?;
         let modulus = YOUNG * (1.0 - POISSON) / ((1.0 + POISSON) * (1.0 - 2.0 * POISSON));
         // L/(2c), with a density of 1 kg/m³.
         let exact = 0.5 * self.length() / modulus.sqrt();
         let begin = simulation.kinetic_energy();
-        let (mut before, mut highest) = ((0.0, self.mode(&simulation)), 1.0_f64);
+        let mut before = (0.0, self.mode(&simulation));
+        grown.see(1.0);
         while simulation.time() < 2.0 * exact {
             let (kinetic, strain) = (simulation.kinetic_energy(), simulation.strain_energy());
-            steps(&what, &mut simulation, 1)?;
+            steps(&mut simulation, 1)?;
             // Velocities are half a step before and after the strain.
             let mean = 0.5 * (kinetic + simulation.kinetic_energy());
-            highest = highest.max((mean + strain) / begin);
+            grown.see((mean + strain) / begin);
             let now = (simulation.velocity_time(), self.mode(&simulation));
             if now.1 <= 0.0 {
                 let zero = before.0 + (now.0 - before.0) * before.1 / (before.1 - now.1);
-                return Ok([(zero / exact - 1.0).abs(), highest]);
+                period.see((zero / exact - 1.0).abs());
+                return Ok(());
             }
             before = now;
         }
         // It never turned.
-        Ok([f64::INFINITY, highest])
+        period.see(f64::INFINITY);
+        Ok(())
     }
 }
 
 /// Swings bars with some methods and takes the worst.
-fn gates(bars: &[Bar], methods: &[Method]) -> Result<Vec<Gate>, Unexpected> {
-    let mut worst = [0.0_f64; 2];
+fn swings(bars: impl IntoIterator<Item = Bar>) -> Judged {
+    let kh = PI / LENGTH as f64;
+    let mut gates = [
+        gate("period of a bar of ten cells, relative error")
+            .at_most(kh * kh / 3.0)
+            .because("a quadratic B-spline, the widest function, is a filter of variance h²/4; a step applies it four times, which \
+             costs (kh)²/4 of the frequency; the time step and few particles may cost a third of that again"),
+        gate("highest energy over that at the start")
+            .at_most(1.0 + kh * kh)
+            .because("none is given; strain energy beside the mean of the kinetic energies half a step before and after, and the filter, are \
+             of order (kh)²"),
+    ];
     for bar in bars {
-        for &method in methods {
-            for (worst, found) in worst.iter_mut().zip(bar.swing(method)?) {
-                *worst = if found.is_nan() {
-                    f64::INFINITY
-                } else {
-                    worst.max(found)
-                };
-            }
+        for method in METHODS {
+            bar.swing(method, &mut gates)?;
         }
     }
-    let kh = PI / LENGTH as f64;
-    Ok(vec![
-        Gate::at_most(
-            "period of a bar of ten cells, relative error".to_owned(),
-            worst[0],
-            kh * kh / 3.0,
-            "a quadratic B-spline, the widest function, is a filter of variance h²/4; a step applies it four times, which \
-             costs (kh)²/4 of the frequency; the time step and few particles may cost a third of that again",
-        ),
-        Gate::at_most(
-            "highest energy over that at the start".to_owned(),
-            worst[1],
-            1.0 + kh * kh,
-            "none is given; strain energy beside the mean of the kinetic energies half a step before and after, and the filter, are \
-             of order (kh)²",
-        ),
-    ])
+    Ok(Finding::of(gates))
 }
 
-fn particles_per_cell() -> Result<Finding, Unexpected> {
+fn particles_per_cell() -> Judged {
     let plane = [1, 2, 4, 8].map(|n| (Dimension::Two, n));
     let space = [1, 2, 4].map(|n| (Dimension::Three, n));
-    let bars: Vec<Bar> = plane
-        .into_iter()
-        .chain(space)
-        .map(|(dimension, particles_per_cell)| Bar {
-            particles_per_cell,
-            across: 1,
-            ..Bar::new(dimension)
-        })
-        .collect();
-    Ok(Finding {
-        gates: gates(&bars, &METHODS)?,
-        refusals: vec![],
-    })
+    let all = plane.into_iter().chain(space);
+    swings(all.map(|(dimension, particles_per_cell)| Bar {
+        particles_per_cell,
+        across: 1,
+        ..Bar::new(dimension)
+    }))
 }
 
-fn aspect() -> Result<Finding, Unexpected> {
-    let of = |dimension, axis, edges| Bar {
+fn aspect() -> Judged {
+    let all = [
+        (Dimension::Two, 0, [1.0, 0.01, 1.0]),
+        (Dimension::Two, 1, [1.0, 0.01, 1.0]),
+        (Dimension::Three, 1, [1.0, 0.01, 0.1]),
+        (Dimension::Three, 2, [1.0, 1.0, 0.01]),
+    ];
+    swings(all.map(|(dimension, axis, edges)| Bar {
         axis,
         edges,
         ..Bar::new(dimension)
-    };
-    let bars = [
-        of(Dimension::Two, 0, [1.0, 0.01, 1.0]),
-        of(Dimension::Two, 1, [1.0, 0.01, 1.0]),
-        of(Dimension::Three, 1, [1.0, 0.01, 0.1]),
-        of(Dimension::Three, 2, [1.0, 1.0, 0.01]),
-    ];
-    Ok(Finding {
-        gates: gates(&bars, &METHODS)?,
-        refusals: vec![],
-    })
+    }))
 }
 
 /// A block that turns and breathes in an open plane, or between two walls a cell apart that make a plane of space.
 fn flat(dimension: Dimension) -> Scene {
-    let mut scene = open(dimension, [10, 10, 1], soft());
-    let deep = if dimension == Dimension::Two {
-        0.0
+    let plane = dimension == Dimension::Two;
+    let (mut scene, deep) = if plane {
+        (open([10, 10]), 0.0)
     } else {
-        1.0
+        (open_space([10, 10, 1]), 1.0)
     };
-    if dimension == Dimension::Three {
+    if !plane {
         scene.mesh.planes[2].fill(PlaneCondition::Sliding);
     }
-    let shape = cuboid([3.2, 3.3, 0.0], [6.2, 6.3, deep]);
-    scene.bodies = vec![filled(dimension, 1, shape)];
+    let material = scene.add_material(soft(), 1.0);
+    scene.add_body(cuboid([3.2, 3.3, 0.0], [6.2, 6.3, deep]), material);
     scene
 }
 
-fn one_cell_across() -> Result<Finding, Unexpected> {
+fn one_cell_across() -> Judged {
+    let mut flatter = gate("a cell of space between two walls against plane strain, relative")
+        .at_most(1e-12)
+        .because("both are plane strain; 40 steps of a hundred roundings each, with a node's mass as little as a hundredth");
+    let gradient = [[0.02, -0.03, 0.0], [0.03, -0.01, 0.0], [0.0; 3]];
+    let initial = from(move |x| {
+        let along = |a: usize| (0..2).map(|b| gradient[a][b] * (x[b] - 4.7)).sum();
+        moving(std::array::from_fn(along), gradient)
+    });
+    // Round-off at nodes of next to no mass is multiplied in each step, and is no matter of the walls.
+    let calm = |method: &Method| {
+        method.scheme != StressScheme::Usl || method.transfer == METHODS[0].transfer
+    };
+    let methods = methods()
+        .into_iter()
+        .filter(|method| method.has_safe_step())
+        .filter(calm);
+    for method in methods {
+        let run = |dimension| -> Result<Vec<Seen>, Unexpected> {
+            let mut simulation = start(&with(&flat(dimension), method), &initial)?;
+            steps(&mut simulation, 40)?;
+            Ok(particles(&simulation))
+        };
+        let (plane, space) = (run(Dimension::Two)?, run(Dimension::Three)?);
+        for seen in space {
+            // Two layers of particles lie over those of the plane.
+            let lateral = |seen: &Seen| [seen.position[0], seen.position[1]];
+            let near = |other: &&Seen| apart(&lateral(other), &lateral(&seen)) < 1e-3;
+            let Some(same) = plane.iter().find(near) else {
+                flatter.see(f64::INFINITY);
+                continue;
+            };
+            flatter.see(apart(&lateral(&seen), &lateral(same)) / 10.0);
+            flatter.see(apart(&seen.velocity, &same.velocity) / 0.1);
+            flatter.see(apart(&seen.stress, &same.stress) / 0.1);
+        }
+    }
     let across = |dimension| Bar {
         across: 1,
         ..Bar::new(dimension)
     };
-    let mut gates = gates(
-        &[across(Dimension::Two), across(Dimension::Three)],
-        &METHODS,
-    )?;
-    let gradient = [[0.02, -0.03, 0.0], [0.03, -0.01, 0.0], [0.0; 3]];
-    let initial: InitialField = Arc::new(move |x| InitialState {
-        velocity: std::array::from_fn(|a| (0..2).map(|b| gradient[a][b] * (x[b] - 4.7)).sum()),
-        velocity_gradient: gradient,
-        ..AT_REST
-    });
-    let mut worst = 0.0_f64;
-    for method in methods() {
-        // Round-off at nodes of next to no mass is multiplied in each step, and is no matter of the walls.
-        if !method.has_safe_step()
-            || method.scheme == StressScheme::Usl && method.transfer != METHODS[0].transfer
-        {
-            continue;
-        }
-        let what = format!("{method}, a plane in space");
-        let run = |dimension| -> Result<Simulation, Unexpected> {
-            let scene = with(&flat(dimension), method);
-            let mut simulation = start(&what, &scene, &from(Arc::clone(&initial)))?;
-            steps(&what, &mut simulation, 40)?;
-            Ok(simulation)
-        };
-        let (plane, space) = (run(Dimension::Two)?, run(Dimension::Three)?);
-        let plane = particles(&plane);
-        for seen in particles(&space) {
-            // Two layers of particles lie over those of the plane.
-            let near = |other: &&super::runs::Seen| {
-                (0..2).all(|axis| (other.position[axis] - seen.position[axis]).abs() < 1e-3)
-            };
-            let Some(same) = plane.iter().find(near) else {
-                worst = f64::INFINITY;
-                continue;
-            };
-            let lateral = |x: &[f64; 3]| [x[0], x[1], 0.0];
-            worst = worst
-                .max(apart([&lateral(&seen.position)], [&lateral(&same.position)]) / 10.0)
-                .max(apart([&seen.velocity], [&same.velocity]) / 0.1)
-                .max(apart([&seen.stress], [&same.stress]) / 0.1);
-        }
-    }
-    gates.push(Gate::at_most(
-        "a cell of space between two walls against plane strain, relative".to_owned(),
-        worst,
-        1e-12,
-        "both are plane strain; 40 steps of a hundred roundings each, with a node's mass as little as a hundredth",
-    ));
-    Ok(Finding {
-        gates,
-        refusals: vec![],
-    })
+    Ok(swings([Dimension::Two, Dimension::Three].map(across))?.and([flatter]))
 }

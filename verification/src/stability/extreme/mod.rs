@@ -11,6 +11,7 @@ mod contrast;
 mod corner;
 mod fast;
 mod friction;
+mod gates;
 mod incompressible;
 mod input;
 mod light;
@@ -18,14 +19,15 @@ mod mesh;
 mod motion;
 mod nothing;
 mod places;
+mod prelude;
 mod ringing;
-mod runs;
+mod starts;
 mod state;
 mod steps;
 mod stiff_contact;
 mod touching;
-mod trial;
 mod turning;
+mod vocabulary;
 mod watch;
 
 use std::fmt;
@@ -74,8 +76,45 @@ pub struct Extreme {
     /// Why it fails today, where it does: shown beside the row.
     pub cause: Option<&'static str>,
     /// Runs it.
-    pub judge: fn() -> Result<Finding, Unexpected>,
+    pub judge: fn() -> Judged,
 }
+
+impl Extreme {
+    /// A row by its name and its run, of which no cause of a failure is known.
+    const fn of(name: &'static str, judge: fn() -> Judged) -> Self {
+        Self {
+            name,
+            what: "",
+            required: "",
+            cause: None,
+            judge,
+        }
+    }
+
+    /// What is extreme in it.
+    const fn with(self, what: &'static str) -> Self {
+        Self { what, ..self }
+    }
+
+    /// What a good code must do.
+    const fn must(self, required: &'static str) -> Self {
+        Self { required, ..self }
+    }
+
+    /// Why it fails today.
+    const fn because(self, cause: &'static str) -> Self {
+        Self {
+            cause: Some(cause),
+            ..self
+        }
+    }
+}
+
+/// What a row gave, or what should not have come.
+type Judged = Result<Finding, Unexpected>;
+
+/// A gate of a row, or what should not have come.
+type Judgement = Result<Gate, Unexpected>;
 
 /// What a row gave.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -122,6 +161,23 @@ impl fmt::Display for Unexpected {
 impl std::error::Error for Unexpected {}
 
 impl Finding {
+    /// What must hold.
+    fn of(gates: impl IntoIterator<Item = Gate>) -> Self {
+        Self::default().and(gates)
+    }
+
+    /// With more that must hold.
+    fn and(mut self, gates: impl IntoIterator<Item = Gate>) -> Self {
+        self.gates.extend(gates);
+        self
+    }
+
+    /// With messages of what was refused.
+    fn refusing(mut self, refusals: Vec<String>) -> Self {
+        self.refusals.extend(refusals);
+        self
+    }
+
     /// How the row ended.
     #[must_use]
     pub fn ending(&self) -> Ending {

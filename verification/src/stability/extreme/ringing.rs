@@ -1,36 +1,15 @@
 //! Motions that the grid does not see: stresses that give no force, and cells that are crossed at a creep.
 
-use std::sync::Arc;
-
-use proctor_scene::simulation::{InitialField, InitialState, Simulation};
-use proctor_scene::{
-    DomainUpdate, ParticleSeed, PlaneCondition, Scene, Shape, StressScheme, Weighting,
-};
-
-use super::trial::{
-    Kept, always, elastic, kept, noise, open, run_steps, run_to, start, step, worst,
-};
-use super::{Extreme, Finding, Unexpected};
-use crate::case::Gate;
-use crate::cases::AT_REST;
-use crate::stability::map::SCHEMES;
+use super::prelude::*;
 
 /// The rows of this file.
 pub static ROWS: &[Extreme] = &[
-    Extreme {
-        name: "creeping-cells",
-        what: "a stressed bar that creeps through a cell in 1e4 steps",
-        required: "the noise of the stress by cell crossing told; of linear functions at least ten times that of GIMP",
-        cause: None,
-        judge: creeping,
-    },
-    Extreme {
-        name: "null-space",
-        what: "16 particles in a cell with stresses of alternating sign, which give no force at any node",
-        required: "what the grid does not see stays as it is, and no energy comes of it",
-        cause: None,
-        judge: null_space,
-    },
+    Extreme::of("creeping-cells", creeping)
+        .with("a stressed bar that creeps through a cell in 1e4 steps")
+        .must("the noise of the stress by cell crossing told; of linear functions at least ten times that of GIMP"),
+    Extreme::of("null-space", null_space)
+        .with("16 particles in a cell with stresses of alternating sign, which give no force at any node")
+        .must("what the grid does not see stays as it is, and no energy comes of it"),
 ];
 
 /// Root mean square of the stress less that at the start, over it, in a bar that creeps through a cell.
@@ -41,41 +20,31 @@ fn creep(weighting: Weighting, scheme: StressScheme) -> Result<f64, Unexpected> 
     const SPACING: f64 = 2.0 / 3.0;
     const LAYERS: u32 = 3;
     let bar = |speed: f64| {
-        let mut scene = open([20, 2]);
-        (scene.weighting, scene.scheme) = (weighting, scheme);
+        let mut scene = open([20, 2]).with_weighting(weighting).with_scheme(scheme);
         scene.mesh.planes[1] = [PlaneCondition::Sliding; 2];
         let material = scene.add_material(elastic(1.0, 0.0), 1.0);
         // Ends that are driven keep the bar as long as it is.
         for columns in [5..15_u32, 0..5, 15..20] {
             let driven = columns.len() < 10;
+            let at = |k: u32| SPACING * (f64::from(k) + 0.5);
             let seeds = columns.flat_map(|column| {
-                (0..LAYERS).map(move |row| ParticleSeed {
-                    position: [
-                        2.0 + SPACING * (f64::from(column) + 0.5),
-                        SPACING * (f64::from(row) + 0.5),
-                        0.0,
-                    ],
-                    volume: SPACING * SPACING,
-                })
+                let place = move |row| [2.0 + at(column), at(row), 0.0];
+                (0..LAYERS).map(move |row| (place(row), SPACING * SPACING))
             });
-            let shape = Shape::Particles(Arc::new(seeds.collect()));
-            let mut body = scene.add_body(shape, material);
+            let mut body = scene.add_body(listed(seeds), material);
             body.velocity = [speed, 0.0, 0.0];
             body.particles_per_cell = [1; 3];
-            if driven {
-                body.motion = Some(always([speed, 0.0, 0.0]));
-            }
+            body.motion = driven.then(|| always([speed, 0.0, 0.0]));
         }
         scene
     };
-    let dt = step(&mut start(&bar(0.0), None)?, f64::INFINITY)?.dt;
+    let dt = step(&mut start(&bar(0.0), &options())?, f64::INFINITY)?.dt;
     let speed = 1.0 / (STEPS as f64 * dt);
-    let pressed: InitialField = Arc::new(move |_| InitialState {
-        velocity: [speed, 0.0, 0.0],
-        stress: [STRESS, 0.0, 0.0, 0.0, 0.0, 0.0],
-        ..AT_REST
+    let pressed = from(move |_| InitialState {
+        stress: uniaxial(STRESS),
+        ..moving_along_x(speed, 0.0)
     });
-    let mut simulation = start(&bar(speed), Some(pressed))?;
+    let mut simulation = start(&bar(speed), &pressed)?;
     let (mut squares, mut count) = (0.0, 0_u32);
     run_to(&mut simulation, 1.0 / speed, |s, info| {
         if info.step.is_multiple_of(10) {
@@ -89,50 +58,26 @@ fn creep(weighting: Weighting, scheme: StressScheme) -> Result<f64, Unexpected> 
     Ok((squares / f64::from(count)).sqrt())
 }
 
-fn creeping() -> Result<Finding, Unexpected> {
-    let (mut ratio, mut of_gimp, mut of_linear) = (f64::INFINITY, 0.0, f64::INFINITY);
+fn creeping() -> Judged {
+    let mut ratio = gate("noise of the stress, root mean square, of linear functions over that of GIMP")
+        .at_least(10.0)
+        .because("domains that fill the bar give a uniform stress no force inside it; points that cross a node do at once");
+    let mut of_gimp = gate("noise with GIMP over the stress")
+        .at_most(1e-3)
+        .because("domains keep filling the bar but for its strain, which is 1e-3");
+    let mut of_linear = gate("noise with linear functions over the stress")
+        .at_least(0.01)
+        .because("a point that crosses a node takes half of the force of two particles with it: without noise nothing crossed");
     for scheme in [StressScheme::Usf, StressScheme::Musl] {
         let linear = creep(Weighting::Linear, scheme)?;
-        for weighting in [
-            Weighting::UniformGimp,
-            Weighting::ContiguousGimp(DomainUpdate::Stretch),
-        ] {
+        for weighting in [Weighting::UniformGimp, CONTIGUOUS] {
             let gimp = creep(weighting, scheme)?;
-            of_gimp = worst(of_gimp, gimp);
-            let own = linear / gimp;
-            ratio = if own < ratio || own.is_nan() {
-                own
-            } else {
-                ratio
-            };
+            of_gimp.see(gimp);
+            ratio.see(linear / gimp);
         }
-        of_linear = of_linear.min(linear);
+        of_linear.see(linear);
     }
-    Ok(Finding {
-        gates: vec![
-            Gate::at_least(
-                String::from(
-                    "noise of the stress, root mean square, of linear functions over that of GIMP",
-                ),
-                ratio,
-                10.0,
-                "domains that fill the bar give a uniform stress no force inside it; points that cross a node do at once",
-            ),
-            Gate::at_most(
-                String::from("noise with GIMP over the stress"),
-                of_gimp,
-                1e-3,
-                "domains keep filling the bar but for its strain, which is 1e-3",
-            ),
-            Gate::at_least(
-                String::from("noise with linear functions over the stress"),
-                of_linear,
-                0.01,
-                "a point that crosses a node takes half of the force of two particles with it: without noise nothing crossed",
-            ),
-        ],
-        refusals: vec![],
-    })
+    Ok(Finding::of([ratio, of_gimp, of_linear]))
 }
 
 /// Norm of what is left of the stresses along x less their means over each column of cells \[Pa\]: particles whose domains
@@ -151,98 +96,64 @@ fn unseen(simulation: &Simulation, cells: usize) -> f64 {
     squares.sum::<f64>().sqrt()
 }
 
-/// Largest change of the norm of the stresses that no node sees, over it, in a bar of one row of cells.
-fn change_of_unseen(weighting: Weighting, scheme: StressScheme) -> Result<f64, Unexpected> {
+fn null_space() -> Judged {
     const CELLS: usize = 8;
-    let mut scene = open([CELLS, 1]).with_planes(PlaneCondition::Sliding);
-    (scene.weighting, scene.scheme) = (weighting, scheme);
-    let material = scene.add_material(elastic(1.0, 0.0), 1.0);
-    scene
-        .add_body(Shape::rectangle([0.0, 0.0], [CELLS as f64, 1.0]), material)
-        .with_particles_per_cell([4, 4]);
-    let wave = std::f64::consts::PI / CELLS as f64;
-    let alternating: InitialField = Arc::new(move |x| {
+    let mut changed = gate("change of the stresses that no node sees, over their norm")
+        .at_most(1e-6)
+        .because("particles in a cell feel one velocity gradient; a swing of 1e-11 of a cell takes that share of a domain across a face, in \
+         each of 5000 steps");
+    let mut kept = Kept::named("free block with stresses that alternate and noise");
+    // A bar of one row of cells.
+    let mut bar = block(
+        [CELLS, 1],
+        [0.0, 0.0],
+        [CELLS as f64, 1.0],
+        elastic(1.0, 0.0),
+    )
+    .with_planes(PlaneCondition::Sliding);
+    bar.bodies[0].particles_per_cell = [4, 4, 1];
+    let wave = PI / CELLS as f64;
+    let alternating = from(move |x| {
         let quarter = (4.0 * x[0]) as i64;
         let sign = if quarter % 2 == 0 { 1.0 } else { -1.0 };
         InitialState {
+            stress: uniaxial(1e-12 * sign),
             // A swing that the grid sees, beside what it does not.
-            velocity: [1e-12 * libm::sin(wave * x[0]), 0.0, 0.0],
-            stress: [1e-12 * sign, 0.0, 0.0, 0.0, 0.0, 0.0],
-            ..AT_REST
+            ..moving_along_x(1e-12 * libm::sin(wave * x[0]), 0.0)
         }
     });
-    let mut simulation = start(&scene, Some(alternating))?;
-    let before = unseen(&simulation, CELLS);
-    let mut most = 0.0;
-    run_steps(&mut simulation, 5000, |s, info| {
-        if info.step.is_multiple_of(50) {
-            most = worst(most, (unseen(s, CELLS) / before - 1.0).abs());
-        }
-    })?;
-    Ok(most)
-}
-
-/// A free block of two dimensions with 16 particles in a cell whose stresses alternate and whose velocities are noise.
-fn ringing(weighting: Weighting, scheme: StressScheme) -> Result<Kept, Unexpected> {
-    let mut scene: Scene = open([8, 8]);
-    (scene.weighting, scene.scheme) = (weighting, scheme);
-    let material = scene.add_material(elastic(1.0, 0.3), 1.0);
-    scene
-        .add_body(Shape::rectangle([2.6, 2.3], [4.6, 4.3]), material)
-        .with_particles_per_cell([4, 4]);
-    let rough: InitialField = Arc::new(|x| {
+    // B-splines see more than means, and linear functions have no safe step with USL.
+    for scene in each_scheme(
+        &bar,
+        [Weighting::Linear, Weighting::UniformGimp, CONTIGUOUS],
+    ) {
+        let mut simulation = start(&scene, &alternating)?;
+        let before = unseen(&simulation, CELLS);
+        each_of(&mut simulation, 5000, |s, info| {
+            if info.step.is_multiple_of(50) {
+                changed.see((unseen(s, CELLS) / before - 1.0).abs());
+            }
+        })?;
+    }
+    // 16 particles in a cell whose stresses alternate and whose velocities are noise.
+    let mut free = block([8, 8], [2.6, 2.3], [4.6, 4.3], elastic(1.0, 0.3));
+    free.bodies[0].particles_per_cell = [4, 4, 1];
+    let rough = from(|x| {
         let quarters = (4.0 * x[0]) as i64 + (4.0 * x[1]) as i64;
         let sign = if quarters % 2 == 0 { 1e-6 } else { -1e-6 };
         InitialState {
-            velocity: [1e-7 * noise(x, 1), 1e-7 * noise(x, 2), 0.0],
+            velocity: shaken(x, 1e-7),
             stress: [sign, sign, 0.0, 0.0, 0.0, sign],
             ..AT_REST
         }
     });
-    let mut simulation = start(&scene, Some(rough))?;
-    let mut balance = Kept::of(&simulation);
-    run_steps(&mut simulation, 3000, |s, info| {
-        if info.step.is_multiple_of(10) {
-            balance.look(s);
-        }
-    })?;
-    Ok(balance)
-}
-
-fn null_space() -> Result<Finding, Unexpected> {
-    let [mut changed, mut drift, mut grown] = [0.0; 3];
-    for scheme in SCHEMES {
-        for weighting in [
-            Weighting::Linear,
-            Weighting::UniformGimp,
-            Weighting::ContiguousGimp(DomainUpdate::Stretch),
-            Weighting::QuadraticBSpline,
-        ] {
-            // B-splines see more than means, and linear functions have no safe step with USL.
-            if weighting != Weighting::QuadraticBSpline {
-                changed = worst(changed, change_of_unseen(weighting, scheme)?);
+    for scene in each_scheme(&free, SAFE) {
+        let mut simulation = kept.start(&scene, &rough)?;
+        each_of(&mut simulation, 3000, |s, info| {
+            if info.step.is_multiple_of(10) {
+                kept.look(s);
             }
-            if weighting != Weighting::Linear {
-                let balance = ringing(weighting, scheme)?;
-                drift = worst(drift, balance.drift);
-                grown = worst(grown, balance.grown);
-            }
-        }
+        })?;
     }
-    let mut gates = vec![Gate::at_most(
-        String::from("change of the stresses that no node sees, over their norm"),
-        changed,
-        1e-6,
-        "particles in a cell feel one velocity gradient; a swing of 1e-11 of a cell takes that share of a domain across a face, in \
-         each of 5000 steps",
-    )];
-    gates.extend(kept(
-        "free block with stresses that alternate and noise",
-        drift,
-        grown,
-    ));
-    Ok(Finding {
-        gates,
-        refusals: vec![],
-    })
+    Ok(Finding::of([changed]).and(kept.gates()))
 }

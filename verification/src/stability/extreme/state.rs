@@ -1,25 +1,11 @@
 //! Numbers that go wrong at the start or on the way.
 
-use std::sync::Arc;
+use super::prelude::*;
 
-use proctor_scene::Scene;
-use proctor_scene::simulation::{BodyForce, InitialState, Options, StepErrorKind};
-
-use super::runs::{
-    NEVER, block, first_error, from, methods, options, soft, start, steps, unexpected, with,
-};
-use super::{Extreme, Finding, Unexpected};
-use crate::case::Gate;
-use crate::cases::AT_REST;
-use crate::settings::Method;
-
-pub const ROWS: &[Extreme] = &[Extreme {
-    name: "not-finite-state",
-    what: "a velocity, a stress, a deformation or a force becomes NaN or infinite",
-    required: "the run stops in the same step, and goes on from the state before",
-    cause: None,
-    judge: not_finite_state,
-}];
+/// The rows of this file.
+pub static ROWS: &[Extreme] = &[Extreme::of("not-finite-state", not_finite_state)
+    .with("a velocity, a stress, a deformation or a force becomes NaN or infinite")
+    .must("the run stops in the same step, and goes on from the state before")];
 
 /// What goes wrong at the start of one particle.
 const FAULTS: [fn(&mut InitialState, f64); 3] = [
@@ -31,24 +17,24 @@ const FAULTS: [fn(&mut InitialState, f64); 3] = [
 /// A place of a particle of the block below \[m\].
 const FAULTY: [f64; 2] = [3.75, 3.25];
 
-fn not_finite_state() -> Result<Finding, Unexpected> {
+fn not_finite_state() -> Judged {
+    let mut late = gate("values that are not finite and did not stop the run in their step")
+        .none()
+        .because("what is not finite spreads to all neighbours in a step, so that the step must be the last");
     let mut refusals = vec![];
-    let mut late = 0;
     for method in methods() {
         let scene = with(&block([8, 8], [2.5, 2.5], [5.5, 5.5], soft()), method);
         for put in FAULTS {
             for value in [f64::NAN, f64::INFINITY] {
-                let initial = move |x: &[f64; 3]| {
+                let sick = from(move |x| {
                     let mut state = AT_REST;
                     if x[..2] == FAULTY {
                         put(&mut state, value);
                     }
                     state
-                };
-                let what = method.to_string();
-                let mut simulation = start(&what, &scene, &from(Arc::new(initial)))?;
-                let Some(error) = first_error(&mut simulation, 1) else {
-                    late += 1;
+                });
+                let Some(error) = first_error(&mut start(&scene, &sick)?, 1) else {
+                    late.count(true);
                     continue;
                 };
                 match error.kind {
@@ -56,54 +42,32 @@ fn not_finite_state() -> Result<Finding, Unexpected> {
                     StepErrorKind::NotFinite(_) | StepErrorKind::TimeStands { .. } => {
                         refusals.push(format!("{method}: {error}"));
                     }
-                    _ => {
-                        return Err(Unexpected(format!(
-                            "{method}: a value {value} is called {error}"
-                        )));
-                    }
+                    _ => return Err(unexpected(format!("{method}: a value {value}"), error)),
                 }
             }
         }
-        goes_on_from_before(method, &scene, &mut late, &mut refusals)?;
+        refusals.push(goes_on_from_before(&scene, &mut late)?);
     }
-    let reason =
-        "what is not finite spreads to all neighbours in a step, so that the step must be the last";
-    Ok(Finding {
-        gates: vec![Gate::at_most(
-            "values that are not finite and did not stop the run in their step".to_owned(),
-            f64::from(late),
-            0.0,
-            reason,
-        )],
-        refusals,
-    })
+    Ok(Finding::of([late]).refusing(refusals))
 }
 
-/// A force that becomes NaN stops the run in that step, and the state saved before goes on without it to the same bits.
-fn goes_on_from_before(
-    method: Method,
-    scene: &Scene,
-    late: &mut u32,
-    refusals: &mut Vec<String>,
-) -> Result<(), Unexpected> {
-    let what = method.to_string();
-    let force = |sick: bool| -> BodyForce {
-        Arc::new(move |_, x, t| {
+/// The message of a force that becomes NaN, which stops the run in that step; the state saved before goes on without it to
+/// the same bits.
+fn goes_on_from_before(scene: &Scene, late: &mut Gate) -> Result<String, Unexpected> {
+    let what = method(scene);
+    let run = |sick: bool| {
+        let mut options = options();
+        options.body_force = Some(Arc::new(move |_, x, t| {
             let broken = sick && t > 0.5 && x[0] > 4.0;
             [if broken { f64::NAN } else { 0.01 }, 0.0, 0.0]
-        })
+        }));
+        start(scene, &options)
     };
-    let with_force = |sick: bool| Options {
-        body_force: Some(force(sick)),
-        ..options()
-    };
-    let mut sick = start(&what, scene, &with_force(true))?;
+    let mut sick = run(true)?;
     let mut good = sick.save();
     let error = loop {
         if sick.steps() > 1000 {
-            return Err(Unexpected(format!(
-                "{what}: a force that is not a number went unseen"
-            )));
+            return Err(unexpected(what, "a force that is not a number went unseen"));
         }
         match sick.step(NEVER) {
             Ok(_) => good = sick.save(),
@@ -111,24 +75,18 @@ fn goes_on_from_before(
         }
     };
     // The force is evaluated at the beginning of a step.
-    *late += u32::from(good.state.clock.time <= 0.5 || error.time != good.state.clock.time);
-    match error.kind {
-        StepErrorKind::NotFinite(_) => refusals.push(format!("{what}: {error}")),
-        _ => {
-            return Err(Unexpected(format!(
-                "{what}: a force that is not a number is called {error}"
-            )));
-        }
+    late.count(good.state.clock.time <= 0.5 || error.time != good.state.clock.time);
+    if !matches!(error.kind, StepErrorKind::NotFinite(_)) {
+        return Err(unexpected(what + ": a force that is not a number", error));
     }
-    let mut healed = start(&what, scene, &with_force(false))?;
+    let mut healed = run(false)?;
     healed.restore(good).map_err(|e| unexpected(&what, e))?;
-    steps(&what, &mut healed, 10)?;
-    let mut whole = start(&what, scene, &with_force(false))?;
-    steps(&what, &mut whole, healed.steps())?;
+    steps(&mut healed, 10)?;
+    let mut whole = run(false)?;
+    steps(&mut whole, healed.steps())?;
     if whole.state_hash() != healed.state_hash() {
-        return Err(Unexpected(format!(
-            "{what}: the state before the fault does not go on as if there had been none"
-        )));
+        let fault = "the state before the fault does not go on as if there had been none";
+        return Err(unexpected(what, fault));
     }
-    Ok(())
+    Ok(format!("{what}: {error}"))
 }

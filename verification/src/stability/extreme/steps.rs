@@ -1,32 +1,16 @@
 //! Runs that must stop: a particle leaves the mesh, a step is far too long.
 
-use proctor_scene::simulation::{
-    EventKind, SetupError, Simulation, StartError, StepError, StepErrorKind,
-};
-use proctor_scene::{Dimension, OnImbalance, Outside, Scene, TimeStep};
+use super::prelude::*;
+use proctor_scene::simulation::{ParticleAt, Violation};
 
-use super::runs::{
-    NEVER, block, first_error, from, is_blow_up, methods, options, rough, soft, start, to_time,
-    with,
-};
-use super::{Extreme, Finding, Unexpected};
-use crate::case::Gate;
-
-pub const ROWS: &[Extreme] = &[
-    Extreme {
-        name: "domain-exit",
-        what: "a block flies out of the mesh through each of its sides",
-        required: "an error with particle, place and step; or removal with a ledger of the mass",
-        cause: None,
-        judge: domain_exit,
-    },
-    Extreme {
-        name: "step-too-long",
-        what: "time steps of ten times h/(c + |v|)",
-        required: "refused; on request the blow-up is told within 100 steps",
-        cause: None,
-        judge: step_too_long,
-    },
+/// The rows of this file.
+pub static ROWS: &[Extreme] = &[
+    Extreme::of("domain-exit", domain_exit)
+        .with("a block flies out of the mesh through each of its sides")
+        .must("an error with particle, place and step; or removal with a ledger of the mass"),
+    Extreme::of("step-too-long", step_too_long)
+        .with("time steps of ten times h/(c + |v|)")
+        .must("refused; on request the blow-up is told within 100 steps"),
 ];
 
 /// Velocities through each side of a mesh of ten cells per axis \[m/s\].
@@ -40,77 +24,51 @@ const WAYS: [[f64; 3]; 5] = [
 /// Edge of the mesh \[m\].
 const EDGE: f64 = 10.0;
 
-/// A block in the middle of its mesh that flies.
-fn leaving(velocity: [f64; 3]) -> Scene {
-    let mut scene = block([10, 10], [4.2, 4.2], [5.7, 5.7], soft());
-    scene.bodies[0].velocity = velocity;
-    scene.bodies[0].id = 7;
-    scene
-}
-
-fn domain_exit() -> Result<Finding, Unexpected> {
+fn domain_exit() -> Judged {
+    let mut misplaced = gate("exits told of a wrong body, place or step")
+        .none()
+        .because(
+            "a particle may be beyond a plane, by no more than the half cell that a step may cross",
+        );
+    let mut left = gate("runs with particles after all must have left")
+        .none()
+        .because("the last of them has 5.8 m to go, and 9 s at 0.7 m/s or more are run");
+    let mut off = gate("mass that is neither left nor booked, over all")
+        .at_most(2e-15)
+        .because("a sum of nine equal masses is rounded eight times");
     let mut refusals = vec![];
-    let (mut misplaced, mut off, mut left) = (0, 0.0_f64, 0);
+    let out = |at: &ParticleAt| at.position.iter().any(|x| !(0.0..=EDGE).contains(x));
+    let just = |at: &ParticleAt| at.position.iter().all(|x| (-0.5..=EDGE + 0.5).contains(x));
     for method in methods() {
         for way in WAYS {
             let what = format!("{method}, at {way:?} m/s");
-            let mut scene = with(&leaving(way), method);
-            let mut simulation = start(&what, &scene, &options())?;
+            let mut scene = with(&block([10, 10], [4.2, 4.2], [5.7, 5.7], soft()), method);
+            (scene.bodies[0].id, scene.bodies[0].velocity) = (7, way);
+            let mut simulation = start(&scene, &options())?;
             let Some(error) = first_error(&mut simulation, 10_000) else {
-                return Err(Unexpected(format!("{what}: it never left")));
+                return Err(unexpected(what, "it never left"));
             };
-            let StepErrorKind::Outside(at) = error.kind else {
-                return Err(Unexpected(format!("{what}: an exit is called {error}")));
+            let StepErrorKind::Outside(at) = &error.kind else {
+                return Err(unexpected(what + ": an exit", error));
             };
-            let beyond = |x: f64| !(0.0..=EDGE).contains(&x);
-            let just = at
-                .position
-                .iter()
-                .all(|&x| (-0.5..=EDGE + 0.5).contains(&x));
-            let named = at.body == 7 && at.position.iter().any(|&x| beyond(x)) && just;
-            misplaced += usize::from(!named || error.step != simulation.steps() + 1);
+            let named = at.body == 7 && out(at) && just(at);
+            misplaced.count(!named || error.step != simulation.steps() + 1);
             refusals.push(format!("{what}: {error}"));
 
             scene.outside = Outside::Remove;
-            let mut simulation = start(&what, &scene, &options())?;
+            let mut simulation = start(&scene, &options())?;
             let mass = simulation.mass();
-            to_time(&what, &mut simulation, 9.0)?;
+            to_time(&mut simulation, 9.0)?;
             let mut booked = 0.0;
-            for event in simulation.events() {
-                let EventKind::Removed(at) = &event.kind else {
-                    continue;
-                };
-                misplaced += usize::from(!at.position.iter().any(|&x| beyond(x)));
+            for at in removed(&simulation) {
+                misplaced.count(!out(at));
                 booked += at.mass;
             }
-            left += usize::from(simulation.particles() > 0);
-            off = off.max((booked + simulation.mass() - mass).abs() / mass);
+            left.count(simulation.particles() > 0);
+            off.see((booked + simulation.mass() - mass).abs() / mass);
         }
     }
-    let none = |name: &str, count: usize, reason| {
-        Gate::at_most(name.to_owned(), count as f64, 0.0, reason)
-    };
-    Ok(Finding {
-        gates: vec![
-            none(
-                "exits told of a wrong body, place or step",
-                misplaced,
-                "a particle may be beyond a plane, by no more than the half cell that a step may cross",
-            ),
-            none(
-                "runs with particles after all must have left",
-                left,
-                "the last of them has 5.8 m to go, and 9 s at 0.7 m/s or more are run",
-            ),
-            Gate::at_most(
-                "mass that is neither left nor booked, over all".to_owned(),
-                off,
-                2e-15,
-                "a sum of nine equal masses is rounded eight times",
-            ),
-        ],
-        refusals,
-    })
+    Ok(Finding::of([misplaced, left, off]).refusing(refusals))
 }
 
 /// Steps of ten times h/(c + |v|), and within how many of them the kernel must say that it went wrong.
@@ -120,112 +78,94 @@ const MOST: u64 = 100;
 /// Steps over the critical one that are too long by a little.
 const OVER: [f64; 3] = [1.2, 1.5, 2.0];
 
-fn step_too_long() -> Result<Finding, Unexpected> {
-    let mut finding = Finding::default();
-    let (mut latest, mut told) = (0, [0_u32; 3]);
-    for method in methods() {
-        let mut scene = with(&block([20, 20], [7.2, 7.3], [12.2, 12.3], soft()), method);
-        // Longer than any of the steps, which would else be refused for that.
-        scene.time = 2.0 * MOST as f64 * TOO_LONG;
-        let initial = |noise| from(rough(Dimension::Two, [0.0; 3], noise, noise));
-        let lengths = |allow_unstable| {
-            [
-                TimeStep::Multiplier {
-                    multiplier: TOO_LONG,
-                    allow_unstable,
-                },
-                TimeStep::Fixed {
-                    dt: TOO_LONG,
-                    allow_unstable,
-                },
-            ]
-        };
-        for time_step in lengths(false) {
-            scene.time_step = time_step;
-            match scene.simulate(&initial(NOISES[0])) {
-                Err(StartError::Setup(SetupError::UnstableTimeStep(unstable))) => {
-                    finding.refusals.push(format!("{method}: {unstable}"));
-                }
-                Err(error) => {
-                    return Err(Unexpected(format!("{method}: C = 10 is called {error}")));
-                }
-                Ok(_) => return Err(Unexpected(format!("{method}: C = 10 was taken"))),
-            }
+/// A block that steps of ten times h/(c + |v|) blow up.
+fn blown_up(method: Method, time_step: TimeStep) -> Scene {
+    let scene = with(&block([20, 20], [7.2, 7.3], [12.2, 12.3], soft()), method);
+    // Longer than any of the steps, which would else be refused for that.
+    scene
+        .with_end(2.0 * MOST as f64 * TOO_LONG)
+        .with_time_step(time_step)
+}
+
+fn step_too_long() -> Judged {
+    let mut latest = gate("steps until the blow-up is told")
+        .at_most(MOST as f64)
+        .because("5d: within 100 steps");
+    let mut told = [
+        gate("runs stopped or doubted for energy from nowhere")
+            .at_least(1.0)
+            .because("noise of 1e-9 and a step a little too long: energy doubles many times before a particle is strained by a half")
+            .found(0.0),
+        gate("runs stopped or doubted for a strain increment")
+            .at_least(1.0)
+            .because("noise of a thousandth strains particles before energy is looked at")
+            .found(0.0),
+    ];
+    let mut tell = |violation: &Violation| {
+        if let Some(gate) = told.get_mut(violation.reason as usize) {
+            gate.count(true);
         }
-        for time_step in lengths(true) {
-            scene.time_step = time_step;
+    };
+    let initial = |noise| rough([0.0; 3], noise, noise);
+    let mut refusals = vec![];
+    for method in methods() {
+        for time_step in [multiple(TOO_LONG), fixed(TOO_LONG)] {
+            let scene = blown_up(method, time_step);
+            let taken = |error: &SetupError| match error {
+                SetupError::UnstableTimeStep(unstable) => Some(format!("{method}: {unstable}")),
+                _ => None,
+            };
+            refusals.push(refused(method, &scene, &initial(NOISES[0]), taken)?);
+        }
+        for time_step in [multiple(TOO_LONG), fixed(TOO_LONG)].map(unstable) {
             for noise in NOISES {
                 // Who stops at once, and who only tells.
                 for on_imbalance in [OnImbalance::Stop, OnImbalance::Tell] {
+                    let mut scene = blown_up(method, time_step);
                     scene.on_imbalance = on_imbalance;
-                    let what = method.to_string();
-                    let mut simulation = start(&what, &scene, &initial(noise))?;
+                    let mut simulation = start(&scene, &initial(noise))?;
                     let (step, error) = until_told(&mut simulation);
-                    latest = latest.max(step);
-                    let reason = match (
-                        error.map(|error| error.kind),
-                        simulation.invariants().violation,
-                    ) {
+                    latest.see(step as f64);
+                    let error = error.map(|error| error.kind);
+                    match (error, simulation.invariants().violation) {
                         (Some(StepErrorKind::NotTrusted(violation)), _)
-                        | (None, Some(violation)) => violation.reason,
-                        (Some(kind), _) if is_blow_up(&kind) => continue,
-                        (found, _) => {
-                            return Err(Unexpected(format!(
-                                "{what}: a blow-up is called {found:?}"
-                            )));
-                        }
-                    };
-                    told[reason as usize] += 1;
+                        | (None, Some(violation)) => tell(&violation),
+                        (Some(kind), _) if is_blow_up(&kind) => {}
+                        (found, _) => return Err(unexpected(method, format!("{found:?}"))),
+                    }
                 }
             }
         }
-    }
-    for method in methods() {
         // A step that is too long by a little, so that noise grows slowly.
         for over in OVER {
-            let mut scene = with(&block([20, 20], [7.2, 7.3], [12.2, 12.3], soft()), method);
-            scene.time_step = TimeStep::Multiplier {
-                multiplier: over * method.stability_number(2),
-                allow_unstable: true,
-            };
-            let what = format!("{method}, {over} times the critical step");
-            let initial = rough(Dimension::Two, [0.0; 3], NOISES[1], NOISES[1]);
-            let mut simulation = start(&what, &scene, &from(initial))?;
+            let length = unstable(multiple(over * method.stability_number(2)));
+            let mut simulation = start(&blown_up(method, length), &initial(NOISES[1]))?;
             let (_, error) = until_told(&mut simulation);
-            match (
-                error.map(|error| error.kind),
-                simulation.invariants().violation,
-            ) {
-                (Some(kind), _) if !is_blow_up(&kind) => {
-                    return Err(Unexpected(format!("{what}: a blow-up is called {kind:?}")));
+            match (error, simulation.invariants().violation) {
+                (Some(error), _) if !is_blow_up(&error.kind) => {
+                    let what = format!("{method}, {over} times the critical step");
+                    return Err(unexpected(what, error));
                 }
-                (None, Some(violation)) => told[violation.reason as usize] += 1,
+                (None, Some(violation)) => tell(&violation),
                 _ => {}
             }
         }
     }
-    let [energy, increment, _] = told;
-    finding.gates = vec![
-        Gate::at_most(
-            "steps until the blow-up is told".to_owned(),
-            latest as f64,
-            MOST as f64,
-            "5d: within 100 steps",
-        ),
-        Gate::at_least(
-            "runs stopped or doubted for energy from nowhere".to_owned(),
-            f64::from(energy),
-            1.0,
-            "noise of 1e-9 and a step a little too long: energy doubles many times before a particle is strained by a half",
-        ),
-        Gate::at_least(
-            "runs stopped or doubted for a strain increment".to_owned(),
-            f64::from(increment),
-            1.0,
-            "noise of a thousandth strains particles before energy is looked at",
-        ),
-    ];
-    Ok(finding)
+    Ok(Finding::of([latest]).and(told).refusing(refusals))
+}
+
+/// Whether an error says that a particle went wrong: it left, turned inside out or is no number any more.
+fn is_blow_up(kind: &StepErrorKind) -> bool {
+    matches!(
+        kind,
+        StepErrorKind::NotFinite(_)
+            | StepErrorKind::Law { .. }
+            | StepErrorKind::Inverted(_)
+            | StepErrorKind::Outside(_)
+            | StepErrorKind::OffAbsorbingPlane { .. }
+            | StepErrorKind::Porosity { .. }
+            | StepErrorKind::DomainTooLarge { .. }
+    )
 }
 
 /// Noise at the start \[m/s, Pa\].

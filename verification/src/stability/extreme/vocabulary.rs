@@ -1,0 +1,434 @@
+//! Vocabulary of the rows: open scenes, methods, runs in which any error is one that should not come, and readings.
+//!
+//! Cells are 1 m and densities 1 kg/m³ where a row does not say otherwise.
+
+use super::prelude::*;
+use crate::case::{Case, Size};
+use crate::cases::{NO_RESULTS, elastic_law};
+use crate::settings::Settings;
+use crate::stability::map::LEAST_SQUARES;
+use crate::stability::scene::method_of;
+use proctor_scene::History;
+use proctor_scene::simulation::{ParticleAt, StepInfo};
+use std::fmt;
+
+/// Round-off of some thousand steps, over what it is compared with.
+pub const ROUND_OFF: f64 = 1e-12;
+/// Why what should not change may change by [`ROUND_OFF`].
+pub const ONLY_ROUND_OFF: &str = "exact but for the round-off of some thousand steps";
+/// Why the kernel's critical step must be that of the formula.
+pub const STEP_OF_FASTEST: &str =
+    "the critical step is C h/(c + |v|) with the fastest wave of any particle";
+/// Energy over that at the start from which a run is unstable.
+pub const GROWN: f64 = 2.0;
+/// Why energy may not double.
+pub const NO_GROWTH: &str = "energy may swing by what half a step between speeds and forces does to it; an unstable run \
+     doubles it again and again";
+
+/// No end of a run that is left after so many steps, but a time to which the kernel counts its steps.
+pub const NEVER: f64 = 1e30;
+
+/// Young's modulus \[Pa\] and Poisson's ratio of what is soft, and its confined modulus over density: waves of 1 m/s.
+pub const YOUNG: f64 = 0.75;
+pub const POISSON: f64 = 0.3;
+
+/// A confined modulus of 1 Pa within a per cent.
+pub fn soft() -> AnyLaw {
+    elastic_law(YOUNG, POISSON)
+}
+
+/// Linear elasticity of Young's modulus \[Pa\] and Poisson's ratio.
+pub fn elastic(young: f64, poisson: f64) -> AnyLaw {
+    elastic_law(young, poisson)
+}
+
+/// An open mesh of the plane with nothing in it, which writes nothing.
+pub fn open(cells: [usize; 2]) -> Scene {
+    quiet(Scene::plane(cells, 1.0).with_planes(PlaneCondition::Free))
+}
+
+/// The same in space.
+pub fn open_space(cells: [usize; 3]) -> Scene {
+    quiet(Scene::space(cells, 1.0).with_planes(PlaneCondition::Free))
+}
+
+/// A scene that writes nothing and has no end.
+pub fn quiet(mut scene: Scene) -> Scene {
+    scene.results = NO_RESULTS;
+    // Rows end a run where they like; no step is shortened for it.
+    scene.time = 1e9;
+    scene
+}
+
+/// A body in an open mesh of the plane, two particles per cell and axis.
+pub fn alone(cells: [usize; 2], shape: Shape, law: impl Into<AnyLaw>) -> Scene {
+    let mut scene = open(cells);
+    let material = scene.add_material(law, 1.0);
+    scene.add_body(shape, material);
+    scene
+}
+
+/// A block of the plane between two corners.
+pub fn block(cells: [usize; 2], low: [f64; 2], high: [f64; 2], law: impl Into<AnyLaw>) -> Scene {
+    alone(cells, rectangle(low, high), law)
+}
+
+/// Particles by their places and volumes \[m, m³\].
+pub fn listed(places: impl IntoIterator<Item = (Vector, f64)>) -> Shape {
+    let seeds = places.into_iter();
+    let seeds = seeds.map(|(position, volume)| ParticleSeed { position, volume });
+    Shape::Particles(Arc::new(seeds.collect()))
+}
+
+/// A scene with another method; particles stay as they are.
+pub fn with(scene: &Scene, method: Method) -> Scene {
+    let mut scene = scene.clone();
+    let own: Vec<[usize; 3]> = scene.bodies.iter().map(|b| b.particles_per_cell).collect();
+    Settings::new(method).apply(&mut scene);
+    for (body, own) in scene.bodies.iter_mut().zip(own) {
+        body.particles_per_cell = own;
+    }
+    scene
+}
+
+/// All combinations of weighting function, scheme and transfer.
+pub fn methods() -> Vec<Method> {
+    let of = |(weighting, scheme, transfer)| Method {
+        weighting,
+        scheme,
+        transfer,
+    };
+    let transfers = |w, s| TRANSFERS.map(|transfer| (w, s, transfer));
+    let schemes = |w| SCHEMES.into_iter().flat_map(move |s| transfers(w, s));
+    let (weighting, transfer) = LEAST_SQUARES;
+    let last = SCHEMES.map(|scheme| (weighting, scheme, transfer));
+    let all = WEIGHTINGS.into_iter().flat_map(schemes).chain(last);
+    all.map(of).collect()
+}
+
+/// A scene with each combination of some weighting functions with a scheme.
+pub fn each_scheme(
+    scene: &Scene,
+    weightings: impl IntoIterator<Item = Weighting>,
+) -> impl Iterator<Item = Scene> {
+    weightings.into_iter().flat_map(move |weighting| {
+        SCHEMES.map(|scheme| scene.clone().with_weighting(weighting).with_scheme(scheme))
+    })
+}
+
+/// GIMP whose domains follow the stretch.
+pub const CONTIGUOUS: Weighting = Weighting::ContiguousGimp(DomainUpdate::Stretch);
+/// Weighting functions with a stable step for every body.
+pub const SAFE: [Weighting; 3] = [
+    Weighting::UniformGimp,
+    CONTIGUOUS,
+    Weighting::QuadraticBSpline,
+];
+
+/// Equal steps \[s\], refused where they are not stable.
+pub fn fixed(dt: f64) -> TimeStep {
+    TimeStep::Fixed {
+        dt,
+        allow_unstable: false,
+    }
+}
+
+/// Steps of a multiple of h/(c + |v|), refused where they are not stable.
+pub fn multiple(multiplier: f64) -> TimeStep {
+    TimeStep::Multiplier {
+        multiplier,
+        allow_unstable: false,
+    }
+}
+
+/// The same steps, stable or not.
+pub fn unstable(time_step: TimeStep) -> TimeStep {
+    match time_step {
+        TimeStep::Fixed { dt, .. } => TimeStep::Fixed {
+            dt,
+            allow_unstable: true,
+        },
+        TimeStep::Multiplier { multiplier, .. } => TimeStep::Multiplier {
+            multiplier,
+            allow_unstable: true,
+        },
+        TimeStep::Automatic => time_step,
+    }
+}
+
+/// So many steps with a method that has a safe step, and two with one of which the kernel says that it has none.
+pub fn count_of(method: Method, count: u64) -> u64 {
+    if method.has_safe_step() { count } else { 2 }
+}
+
+/// Contact on the grid with the normal of the master.
+pub fn pair(id: i64, master: i64, slave: i64, friction: f64) -> Contact {
+    Contact {
+        name: format!("contact {id}"),
+        id,
+        friction,
+        master,
+        slave,
+        normal: ContactNormal::Master,
+    }
+}
+
+/// A prescribed velocity that stays \[m/s\].
+pub fn always(velocity: Vector) -> History {
+    History {
+        times: vec![0.0],
+        values: vec![velocity],
+    }
+}
+
+/// An error where none should be.
+pub fn unexpected(what: impl fmt::Display, error: impl fmt::Display) -> Unexpected {
+    Unexpected(format!("{what}: {error}"))
+}
+
+/// The method of a scene in words.
+pub fn method(scene: &Scene) -> String {
+    method_of(scene).to_string()
+}
+
+/// Checks a scene and sets it in motion.
+///
+/// # Errors
+/// Why it does not start.
+pub fn start(scene: &Scene, options: &Options) -> Result<Simulation, Unexpected> {
+    let refused = |error| unexpected(method(scene) + ": refused", error);
+    scene.simulate(options).map_err(refused)
+}
+
+/// A step that must not fail.
+///
+/// # Errors
+/// The error of the step, with the method.
+pub fn step(simulation: &mut Simulation, stop: f64) -> Result<StepInfo, Unexpected> {
+    let stepped = simulation.step(stop);
+    stepped.map_err(|error| unexpected(method(simulation.scene()), error))
+}
+
+/// Does so many steps.
+///
+/// # Errors
+/// The first that fails.
+pub fn steps(simulation: &mut Simulation, count: u64) -> Result<(), Unexpected> {
+    for _ in 0..count {
+        step(simulation, NEVER)?;
+    }
+    Ok(())
+}
+
+/// Does so many steps and looks at each.
+///
+/// # Errors
+/// The first that fails.
+pub fn each_of(
+    simulation: &mut Simulation,
+    count: u64,
+    mut look: impl FnMut(&Simulation, &StepInfo),
+) -> Result<(), Unexpected> {
+    for _ in 0..count {
+        let info = step(simulation, f64::INFINITY)?;
+        look(simulation, &info);
+    }
+    Ok(())
+}
+
+/// Runs to a time \[s\].
+///
+/// # Errors
+/// The first step that fails.
+pub fn to_time(simulation: &mut Simulation, time: f64) -> Result<(), Unexpected> {
+    run_to(simulation, time, |_, _| ())
+}
+
+/// Runs to a time \[s\] and looks at every step.
+///
+/// # Errors
+/// The first step that fails.
+pub fn run_to(
+    simulation: &mut Simulation,
+    time: f64,
+    mut look: impl FnMut(&Simulation, &StepInfo),
+) -> Result<(), Unexpected> {
+    while simulation.time() < time {
+        let info = step(simulation, time)?;
+        look(simulation, &info);
+    }
+    Ok(())
+}
+
+/// That the kernel does not doubt a sound run.
+///
+/// # Errors
+/// The balance that is off.
+pub fn trusted(simulation: &Simulation) -> Result<(), Unexpected> {
+    let doubt = simulation.invariants().violation;
+    let doubted = |violation| {
+        unexpected(
+            method(simulation.scene()) + ": a sound run is doubted",
+            violation,
+        )
+    };
+    doubt.map(doubted).map_or(Ok(()), Err)
+}
+
+/// The error that ends a run within so many steps.
+pub fn first_error(simulation: &mut Simulation, most: u64) -> Option<StepError> {
+    (0..most).find_map(|_| simulation.step(NEVER).err())
+}
+
+/// The message of a scene that is refused when its run is set up, as `known` tells it of the error.
+///
+/// # Errors
+/// A scene that is taken, or refused for something else.
+pub fn refused(
+    what: impl fmt::Display,
+    scene: &Scene,
+    options: &Options,
+    known: impl Fn(&SetupError) -> Option<String>,
+) -> Result<String, Unexpected> {
+    match scene.simulate(options) {
+        Err(StartError::Setup(error)) => {
+            known(&error).ok_or_else(|| unexpected(what, format!("is called {error}")))
+        }
+        Err(error) => Err(unexpected(what, format!("is called {error}"))),
+        Ok(_) => Err(unexpected(what, "was taken")),
+    }
+}
+
+/// Particles that have left the mesh, as they were booked.
+pub fn removed(simulation: &Simulation) -> impl Iterator<Item = &ParticleAt> {
+    simulation
+        .events()
+        .iter()
+        .filter_map(|event| match &event.kind {
+            EventKind::Removed(at) => Some(at),
+            _ => None,
+        })
+}
+
+/// A particle as it is read of a simulation.
+pub struct Seen {
+    pub id: u64,
+    pub position: Vector,
+    pub velocity: Vector,
+    pub stress: [f64; 6],
+}
+
+impl Seen {
+    /// All its numbers.
+    pub fn numbers(&self) -> impl Iterator<Item = f64> + '_ {
+        let vectors = self.position.iter().chain(&self.velocity);
+        vectors.chain(&self.stress).copied()
+    }
+}
+
+/// All particles in order of the identifier.
+pub fn particles(simulation: &Simulation) -> Vec<Seen> {
+    let mut all = vec![];
+    for (set, columns) in simulation.sets().iter().enumerate() {
+        all.extend((0..columns.len()).map(|p| Seen {
+            id: columns.id[p],
+            position: simulation.position(set, p),
+            velocity: columns.velocity(p),
+            stress: columns.stress(p),
+        }));
+    }
+    all.sort_by_key(|seen| seen.id);
+    all
+}
+
+/// Largest magnitude; infinite where there is something that is not a number.
+pub fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
+    values.into_iter().fold(0.0, |most, value| {
+        if value.is_nan() {
+            f64::INFINITY
+        } else {
+            value.abs().max(most)
+        }
+    })
+}
+
+/// The larger of two, or what is not a number.
+pub fn worst(a: f64, b: f64) -> f64 {
+    if b > a || b.is_nan() { b } else { a }
+}
+
+/// Largest difference of two vectors along any axis.
+pub fn apart<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
+    largest((0..N).map(|axis| a[axis] - b[axis]))
+}
+
+/// The same of all particles of two lists, of what is read of each.
+pub fn all_apart<const N: usize>(a: &[Seen], b: &[Seen], of: fn(&Seen) -> [f64; N]) -> f64 {
+    largest(a.iter().zip(b).map(|(a, b)| apart(&of(a), &of(b))))
+}
+
+/// Largest component of the stress of any particle of the first body \[Pa\].
+pub fn largest_stress(simulation: &Simulation) -> f64 {
+    let set = &simulation.sets()[0];
+    largest((0..set.len()).flat_map(|p| set.stress(p)))
+}
+
+/// Kinetic and strain energy, and what contact stores \[J\].
+pub fn energy(simulation: &Simulation) -> f64 {
+    simulation.kinetic_energy() + simulation.strain_energy() + simulation.mortar_energy()
+}
+
+/// Sum over all particles of what is made of mass \[kg\] and velocity \[m/s\].
+fn over_particles(simulation: &Simulation, of: fn(f64, Vector) -> f64) -> f64 {
+    let mut sum = 0.0;
+    for (index, set) in simulation.sets().iter().enumerate() {
+        for p in 0..set.len() {
+            sum += of(simulation.particle_mass(index, p), set.velocity(p));
+        }
+    }
+    sum
+}
+
+/// Sum of the magnitudes of all components of all momenta \[kg m/s\].
+pub fn momentum_scale(simulation: &Simulation) -> f64 {
+    over_particles(simulation, |m, v| v.iter().map(|c| (m * c).abs()).sum())
+}
+
+/// The same from speeds that are summed before they are multiplied, so that denormal ones keep their digits.
+pub fn scale_of_speeds(simulation: &Simulation) -> f64 {
+    over_particles(simulation, |m, v| {
+        m * v.iter().map(|c| c.abs()).sum::<f64>()
+    })
+}
+
+/// How far the nearest particle is from where a quarter turn about a point brings each, over `scale` \[m\].
+pub fn off_by_a_quarter_turn(simulation: &Simulation, [a, b]: [f64; 2], scale: f64) -> f64 {
+    let places: Vec<Vector> = (0..simulation.particles())
+        .map(|p| simulation.position(0, p))
+        .collect();
+    let mut most = 0.0;
+    for x in &places {
+        let turned = [a - (x[1] - b), b + (x[0] - a), 0.0];
+        let near = places.iter().map(|y| apart(y, &turned));
+        most = worst(most, near.fold(f64::INFINITY, f64::min) / scale);
+    }
+    most
+}
+
+/// The gates of a verification case with its short ladder.
+///
+/// # Errors
+/// A rung that could not be solved.
+pub fn of_case(case: &Case) -> Result<Vec<Gate>, Unexpected> {
+    let mut solved = vec![];
+    for rung in case.rungs(Size::Quick) {
+        let found = case.solve(&rung, &options(), &mut |_| ());
+        solved.push((rung, found.map_err(|error| Unexpected(error.to_string()))?));
+    }
+    let named = |gate: Gate| Gate {
+        name: format!("{}: {}", case.name(), gate.name),
+        ..gate
+    };
+    let gates = case.judge(Size::Quick, &solved).gates;
+    Ok(gates.into_iter().map(named).collect())
+}
