@@ -2,7 +2,7 @@
 
 use crate::measure::{Spent, Stopwatch};
 use proctor_scene::simulation::Options;
-use proctor_verification::case::{Case, CaseError, Rung, Size, Solved, Verdict};
+use proctor_verification::case::{Case, CaseError, Rung, RungResult, Size, Verdict};
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc;
@@ -16,7 +16,7 @@ const ENOUGH: Duration = Duration::from_millis(500);
 const MOST: usize = 30;
 
 /// A case that was run.
-pub struct Ran {
+pub struct CaseRun {
     /// The case.
     pub case: &'static Case,
     /// Its runs, in order.
@@ -30,7 +30,7 @@ pub struct RanRung {
     /// Which run.
     pub rung: Rung,
     /// What it gave.
-    pub solved: Result<Solved, CaseError>,
+    pub solved: Result<RungResult, CaseError>,
     /// Time for all of it, once per repetition: set-up, steps, comparison. Never empty.
     pub samples: Vec<Spent>,
 }
@@ -44,7 +44,7 @@ impl RanRung {
     }
 }
 
-impl Ran {
+impl CaseRun {
     /// Whether every run was solved and every gate passed.
     #[must_use]
     pub fn passed(&self) -> bool {
@@ -67,7 +67,7 @@ pub fn run_side_by_side<E>(
     workers: usize,
     go: &(dyn Fn() -> bool + Sync),
     progress: &(dyn Fn(usize, f64) + Sync),
-    mut each: impl FnMut(Ran) -> Result<(), E>,
+    mut each: impl FnMut(CaseRun) -> Result<(), E>,
 ) -> Result<(), E> {
     let options = Options {
         threads: Some(1),
@@ -98,7 +98,7 @@ pub fn run_side_by_side<E>(
             });
         }
         drop(send);
-        let mut waiting: BTreeMap<usize, Ran> = BTreeMap::new();
+        let mut waiting: BTreeMap<usize, CaseRun> = BTreeMap::new();
         let mut due = 0;
         for (k, ran) in receive {
             waiting.insert(k, ran);
@@ -124,7 +124,7 @@ pub fn run_while(
     repetitions: usize,
     go: &dyn Fn() -> bool,
     progress: &mut dyn FnMut(f64),
-) -> Ran {
+) -> CaseRun {
     // Whether a run is measured once more.
     let wanted = |samples: usize, measured: Duration| {
         samples < repetitions || (1 < repetitions && samples < MOST && measured < ENOUGH)
@@ -165,12 +165,12 @@ pub fn run_while(
             }
         })
         .collect();
-    let solved: Vec<(Rung, Solved)> = rungs
+    let solved: Vec<(Rung, RungResult)> = rungs
         .iter()
         .filter_map(|ran| Some((ran.rung.clone(), ran.solved.clone().ok()?)))
         .collect();
     let verdict = case.judge(size, &solved);
-    Ran {
+    CaseRun {
         case,
         rungs,
         verdict,

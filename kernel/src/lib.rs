@@ -2,7 +2,7 @@
 //!
 //! Flow: [`simulation::Model`] (settings, plan, bodies) and [`simulation::Start`] (particles, interactions) ->
 //! [`simulation::Cycle`] (state and explicit cycle). A cycle gives its results by queries, and its whole state as a
-//! [`simulation::Saved`].
+//! [`simulation::SavedState`].
 //!
 //! It knows no scene, no law of a material, no contact and no file. Laws, conditions and interactions come by the traits
 //! [`laws::Law`], [`simulation::Condition`] and [`simulation::Interaction`]; `proctor-laws`, `proctor-contact` and

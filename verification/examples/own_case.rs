@@ -9,7 +9,7 @@ use proctor_scene::{PlaneCondition, Scene, Shape};
 use proctor_verification::case::gates::{TableRule, error};
 use proctor_verification::case::ladder::Ladder;
 use proctor_verification::case::wrong::Wrong;
-use proctor_verification::case::{Case, Found, Quantity, Run, Rung, Size};
+use proctor_verification::case::{Case, Measurements, Quantity, Run, Rung, Size};
 use proctor_verification::check;
 use proctor_verification::settings::Settings;
 
@@ -49,11 +49,11 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
     settings.applied(scene)
 }
 
-fn compare(run: &mut Run<'_>) -> Found {
+fn compare(run: &mut Run<'_>) -> Measurements {
     let (gravity, t) = (run.reference.of(&WRONG_GRAVITY) * GRAVITY, run.time());
     let [_, y, _] = run.simulation.center(0).position;
     let gained = Quantity::compared(HEIGHT, y - 1.5 * SIDE, UP * t - 0.5 * gravity * t * t, "m");
-    Found::new(vec![gained], None)
+    Measurements::new(vec![gained], None)
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {

@@ -101,7 +101,7 @@ impl Quantity {
 
 /// Numbers and pictures of a comparison with the exact solution.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Found {
+pub struct Measurements {
     /// Numbers, each named once.
     pub quantities: Vec<Quantity>,
     /// Pictures of the bodies, where the case has them.
@@ -110,7 +110,7 @@ pub struct Found {
     pub curve: Option<Curve>,
 }
 
-impl Found {
+impl Measurements {
     /// Numbers without a picture.
     #[must_use]
     pub fn of(quantities: impl Into<Vec<Quantity>>) -> Self {
@@ -139,7 +139,7 @@ impl Found {
 
 /// Result of the run of one rung.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Solved {
+pub struct RungResult {
     /// Number of particles.
     pub particles: usize,
     /// Number of time steps.
@@ -154,10 +154,10 @@ pub struct Solved {
     pub curve: Option<Curve>,
 }
 
-impl Solved {
+impl RungResult {
     /// The result of a simulation that has run.
     #[must_use]
-    pub fn new(found: Found, simulation: &Simulation) -> Self {
+    pub fn new(found: Measurements, simulation: &Simulation) -> Self {
         Self {
             particles: simulation.particles(),
             steps: simulation.steps(),

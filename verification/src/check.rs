@@ -4,11 +4,11 @@
 use proctor_scene::simulation::Options;
 
 use crate::case::wrong::{Reference, Wrong};
-use crate::case::{Case, CaseError, Gate, Rung, Size, Solved, Verdict};
+use crate::case::{Case, CaseError, Gate, Rung, RungResult, Size, Verdict};
 use crate::sensitivity::{Reaction, reactions};
 
 /// Runs of a ladder, rung by rung.
-pub type Runs = Vec<(Rung, Solved)>;
+pub type Runs = Vec<(Rung, RungResult)>;
 
 /// The short ladder of a case with the correct reference, then with each wrong one on the rungs that show it. Where a run does not
 /// depend on the reference, a rung is run once for all of them.
@@ -64,7 +64,7 @@ pub fn failing(verdict: &Verdict) -> Vec<String> {
         .collect()
 }
 
-fn faults_of_gates(case: &Case, solved: &[(Rung, Solved)], shown: &[&str]) -> Vec<String> {
+fn faults_of_gates(case: &Case, solved: &[(Rung, RungResult)], shown: &[&str]) -> Vec<String> {
     let verdict = case.judge(Size::Quick, solved);
     let mut faults = failing(&verdict);
     if verdict.gates.is_empty() {
@@ -101,7 +101,7 @@ fn faults_of_gates(case: &Case, solved: &[(Rung, Solved)], shown: &[&str]) -> Ve
     faults
 }
 
-fn faults_of_wrong(case: &Case, wrong: &Wrong, solved: &[(Rung, Solved)]) -> Vec<String> {
+fn faults_of_wrong(case: &Case, wrong: &Wrong, solved: &[(Rung, RungResult)]) -> Vec<String> {
     let verdict = case.with(*wrong).judge(Size::Quick, solved);
     let mut faults = vec![];
     let all = solved.len() == case.rungs(Size::Quick).len();

@@ -248,7 +248,7 @@ pub fn run(
     });
     let held: Vec<usize> = (0..6).filter(|i| controls[*i] == Control::Held).collect();
     for step in 1..=steps {
-        let holding = Holding {
+        let holding = HeldStep {
             point: &point,
             held: &held,
             target: &start,
@@ -273,7 +273,7 @@ pub fn run(
 }
 
 /// The step that is to be taken, and what it must keep.
-struct Holding<'a> {
+struct HeldStep<'a> {
     point: &'a Point,
     held: &'a [usize],
     target: &'a [f64; 6],
@@ -285,7 +285,7 @@ struct Holding<'a> {
     step: usize,
 }
 
-impl Holding<'_> {
+impl HeldStep<'_> {
     /// By how much the stress of the held components is missed with this strain of them \[Pa\], on the average and at most,
     /// and what may be missed.
     fn missed(&self, increment: &[f64; 6], lateral: f64) -> Result<(f64, f64, f64), ElementError> {

@@ -29,7 +29,7 @@ pub(crate) fn settings() -> Settings {
 
 /// Which field of a particle is compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Compared {
+pub enum ComparedField {
     /// Displacement \[m\].
     Displacement,
     /// Velocity \[m/s\].
@@ -53,7 +53,7 @@ pub struct Guest {
     /// The scene, with one constant step.
     pub scene: Scene,
     /// What is compared.
-    pub compared: Compared,
+    pub compared: ComparedField,
     /// By which norm.
     pub norm: Norm,
     /// Whether the last frame alone counts, rather than all after the first.
@@ -86,7 +86,7 @@ impl Guest {
     ) -> Self {
         Self {
             scene,
-            compared: Compared::Displacement,
+            compared: ComparedField::Displacement,
             norm: Norm::L2,
             last_alone: false,
             counts: Box::new(|_| true),

@@ -3,7 +3,7 @@
 //! [`Case::judge`] is a function of what the runs gave, so this costs no run. A number is moved no further than a
 //! wrong reference of twice the bound would move it: a gate that lets that pass is none.
 
-use crate::case::{Case, Gate, Relation, Rung, Size, Solved};
+use crate::case::{Case, Gate, Relation, Rung, RungResult, Size};
 
 /// By how much more than its bound a number is moved where a gate is an upper one.
 const BEYOND: f64 = 2.0;
@@ -38,7 +38,7 @@ pub struct Reaction {
 /// What each gate reacts to, in the order in which the case names them. A gate that fails already reacts to nothing
 /// here.
 #[must_use]
-pub fn reactions(case: &Case, size: Size, solved: &[(Rung, Solved)]) -> Vec<Reaction> {
+pub fn reactions(case: &Case, size: Size, solved: &[(Rung, RungResult)]) -> Vec<Reaction> {
     let gates = case.judge(size, solved).gates;
     let mut found: Vec<Reaction> = gates
         .iter()
@@ -128,7 +128,7 @@ fn notices(before: &Gate, now: &Gate) -> bool {
 }
 
 /// How much finer a run is than others of its variant, by which an observed order may have been formed.
-fn refinements(solved: &[(Rung, Solved)], run: usize) -> Vec<f64> {
+fn refinements(solved: &[(Rung, RungResult)], run: usize) -> Vec<f64> {
     let own = &solved[run].0;
     solved
         .iter()

@@ -5,7 +5,7 @@ use proctor_scene::{StressScheme, TransferKind, Weighting};
 
 use std::error::Error;
 
-use crate::case::{self, Case, CaseError, Found, Plan, Rung, Size, Solved};
+use crate::case::{self, Case, CaseError, Measurements, Plan, Rung, RungResult, Size};
 use crate::guest::Guest;
 use crate::settings::{Method, Settings};
 
@@ -49,7 +49,7 @@ pub const STOPPED: &str = "stopped";
 pub struct Measure {
     /// One word for tables, records and file names: `displacement`, `stress`, `velocity`.
     pub word: &'static str,
-    /// Name of the quantity in [`Solved::quantities`] whose relative error it is.
+    /// Name of the quantity in [`RungResult::quantities`] whose relative error it is.
     pub quantity: &'static str,
 }
 
@@ -63,22 +63,22 @@ impl Measure {
 
 /// Result of a run with chosen settings.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Studied {
+pub struct StudyResult {
     /// Errors, numbers of particles and steps.
-    pub solved: Solved,
+    pub solved: RungResult,
     /// Largest time step \[s\].
     pub dt: f64,
     /// Smallest critical time step of the kernel's bound \[s\].
     pub dt_critical: f64,
 }
 
-impl Studied {
+impl StudyResult {
     /// The result of a simulation that has run, with the time steps that it took.
     #[must_use]
-    pub fn new(found: Found, simulation: &Simulation) -> Self {
+    pub fn new(found: Measurements, simulation: &Simulation) -> Self {
         let clock = simulation.clock();
         Self {
-            solved: Solved::new(found, simulation),
+            solved: RungResult::new(found, simulation),
             dt: clock.dt_max,
             dt_critical: clock.dt_critical,
         }
@@ -147,7 +147,7 @@ impl Study {
         settings: &Settings,
         options: &Options,
         observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
+    ) -> Result<StudyResult, CaseError> {
         let studied = self.case.solve_with(rung, settings, options, observer);
         studied.map_err(|error| CaseError {
             case: self.name(),

@@ -8,7 +8,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{LazyLock, Mutex, OnceLock};
 
 use proctor_scene::simulation::Options;
-use proctor_verification::case::{Case, Gate, Relation, Rung, Size, Solved, Verdict, all, find};
+use proctor_verification::case::{
+    Case, Gate, Relation, Rung, RungResult, Size, Verdict, all, find,
+};
 use proctor_verification::check::{self, Runs, failing};
 
 /// Errors and balances that no gate of the quick ladder judges, by case, and why. What is not here is judged.
@@ -28,7 +30,7 @@ const SHOWN: &[(&str, &[&str], &str)] = &[
         &[
             "v(H - h/4, 0.2 s)",
             "L2(stress)",
-            "lowest particles off by, over A",
+            "difference of the lowest particles over A",
         ],
         "particles h/4 from an edge: the velocities of the edges themselves are judged, and L2(v)",
     ),
@@ -80,7 +82,7 @@ const SHOWN: &[(&str, &[&str], &str)] = &[
     ),
     (
         "rolling-disk-slab",
-        &["growth of the area, less that of spin and load"],
+        &["growth of the area minus that of spin and load"],
         "judged in the plane",
     ),
     (
@@ -113,7 +115,7 @@ fn ladders(case: &Case) -> &'static [Runs] {
 }
 
 /// The short ladder of a case, run once.
-fn quick(case: &Case) -> &'static [(Rung, Solved)] {
+fn quick(case: &Case) -> &'static [(Rung, RungResult)] {
     &ladders(case)[0]
 }
 
@@ -160,7 +162,7 @@ fn every_case_has_a_wrong_reference() {
 }
 
 /// Asserts that an error is that of its value from what is exact, so that moving the one is moving the other.
-fn errors_are_those_of_their_values(solved: &[(Rung, Solved)]) {
+fn errors_are_those_of_their_values(solved: &[(Rung, RungResult)]) {
     for (rung, run) in solved {
         for q in &run.quantities {
             let (Some(error), Some(exact)) = (q.error, q.exact) else {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use proctor_verification::generated::{self, Deviation, Dice, QUESTIONS, Seen};
+use proctor_verification::generated::{self, Deviation, Dice, FinalState, QUESTIONS};
 
 /// Seed of the scenes that are kept.
 const SEED: u64 = 1;
@@ -86,7 +86,7 @@ fn a_scene_follows_from_seed_and_number() {
 }
 
 /// A change of a result that is wrong by more than any bound, in one kind of number.
-type Fault = fn(&mut Seen);
+type Fault = fn(&mut FinalState);
 
 /// The kinds of numbers that judges look at.
 const FAULTS: [(&str, Fault); 6] = [
@@ -123,7 +123,7 @@ const FAULTS: [(&str, Fault); 6] = [
 ];
 
 /// Largest stress of a run \[Pa\]; that of the start, or 1, where there is none.
-fn most(seen: &Seen) -> f64 {
+fn most(seen: &FinalState) -> f64 {
     let all = seen.particles.iter().flat_map(|p| p.stress);
     let most = all.fold(0.0_f64, |most, s| most.max(s.abs()));
     if most > 0.0 { most } else { 1.0 }

@@ -5,7 +5,7 @@ use proctor_files::json::{from_json, write};
 use proctor_scene::simulation::{Options, Simulation};
 use proctor_scene::{Dimension, Mesh, OnImbalance, Scene, Vector};
 use proctor_verification::case::{Rung, Size};
-use proctor_verification::guest::{Compared, Guest, Norm, Snapshot};
+use proctor_verification::guest::{ComparedField, Guest, Norm, Snapshot};
 use proctor_verification::study::{self, Study};
 
 fn guest(case: &str) -> (Guest, Rung) {
@@ -42,14 +42,14 @@ fn frames(guest: &Guest) -> Vec<Snapshot> {
             for p in 0..set.len() {
                 starts.push(simulation.initial_position(body, p).expect("kept"));
                 values.push(match guest.compared {
-                    Compared::Displacement => simulation.displacement(body, p).expect("kept"),
-                    Compared::Velocity => set.velocity(p),
+                    ComparedField::Displacement => simulation.displacement(body, p).expect("kept"),
+                    ComparedField::Velocity => set.velocity(p),
                 });
             }
         }
         let time = match guest.compared {
-            Compared::Displacement => simulation.time(),
-            Compared::Velocity => simulation.velocity_time(),
+            ComparedField::Displacement => simulation.time(),
+            ComparedField::Velocity => simulation.velocity_time(),
         };
         frames.push(Snapshot {
             time,

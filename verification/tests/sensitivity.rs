@@ -3,7 +3,7 @@
 use proctor_scene::simulation::Options;
 use proctor_verification::case::gates::Runs;
 use proctor_verification::case::ladder::Ladder;
-use proctor_verification::case::{Case, Gate, Quantity, Relation, Rung, Size, Solved, Verdict};
+use proctor_verification::case::{Case, Gate, Quantity, Relation, Rung, RungResult, Size, Verdict};
 use proctor_verification::sensitivity::reactions;
 
 /// A case that is judged by gates of the test's own.
@@ -14,7 +14,7 @@ fn made(judge: fn(&Runs<'_>) -> Verdict) -> Case {
         .judge_by(judge)
 }
 
-fn solved(rung: &Rung) -> Solved {
+fn solved(rung: &Rung) -> RungResult {
     let quantity = |name, value, exact, error| Quantity {
         name,
         value,
@@ -23,7 +23,7 @@ fn solved(rung: &Rung) -> Solved {
         unit: "1",
     };
     let error = 0.1 * rung.cell * rung.cell;
-    Solved {
+    RungResult {
         particles: 1,
         steps: 1,
         time: 1.0,

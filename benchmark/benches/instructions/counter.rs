@@ -1,8 +1,8 @@
 //! Counts of instructions by valgrind, of what changed since a record.
 
-use crate::Asked;
+use crate::Request;
 use proctor_benchmark::bench::counted::{Earlier, Group, Item, TIMES};
-use proctor_benchmark::bench::sources::{Digest, Kept};
+use proctor_benchmark::bench::sources::{Digest, KeptDigests};
 use proctor_benchmark::record::{Record, Row};
 use std::collections::BTreeMap;
 use std::error::Error;
@@ -116,13 +116,13 @@ pub struct Counts {
     /// By the name of the row.
     pub kept: BTreeMap<String, (Row, Digest)>,
     /// Of all items, and of the parts of the sources.
-    pub digests: Kept,
+    pub digests: KeptDigests,
 }
 
 impl Counts {
     /// Counts the items and features whose sources changed, and what a feature that changed is compared with.
     pub fn of(
-        asked: &Asked,
+        asked: &Request,
         record: &Record,
         items: &[Item],
         groups: &[Group],
@@ -130,7 +130,7 @@ impl Counts {
         let compiler = record.context["rustc"].as_str().unwrap_or_default();
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
         let earlier = Earlier::read(&root, compiler, asked.since.as_deref())?;
-        let mut digests = Kept::default();
+        let mut digests = KeptDigests::default();
         for (part, digest) in earlier.sources().parts() {
             digests.keep(format!("part {part}"), digest);
         }

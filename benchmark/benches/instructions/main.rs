@@ -14,7 +14,7 @@ mod counter;
 
 use counter::Counts;
 use proctor_benchmark::bench::counted::{Group, Item, features, scenes_and_parts};
-use proctor_benchmark::bench::sources::Kept;
+use proctor_benchmark::bench::sources::KeptDigests;
 use proctor_benchmark::record::{Record, Row};
 use proctor_benchmark::show::{Table, grouped};
 use proctor_scene::simulation::Options;
@@ -38,14 +38,14 @@ fn main() -> ExitCode {
 
 /// The request.
 #[derive(Default)]
-struct Asked {
+struct Request {
     only_features: bool,
     only: Option<String>,
     since: Option<PathBuf>,
     json: Option<PathBuf>,
 }
 
-impl Asked {
+impl Request {
     fn read() -> Result<Self, Box<dyn Error>> {
         let mut asked = Self::default();
         let mut arguments = std::env::args().skip(1);
@@ -71,7 +71,7 @@ impl Asked {
 }
 
 fn run() -> Result<bool, Box<dyn Error>> {
-    let asked = Asked::read()?;
+    let asked = Request::read()?;
     if Command::new("valgrind").arg("--version").output().is_err() {
         println!("left out: valgrind is not installed");
         return Ok(true);
@@ -101,7 +101,7 @@ fn run() -> Result<bool, Box<dyn Error>> {
     }
     if let Some(path) = &asked.json {
         record.write(path)?;
-        counts.digests.write(&Kept::beside(path))?;
+        counts.digests.write(&KeptDigests::beside(path))?;
         println!("record in {}", path.display());
     }
     Ok(sound)

@@ -4,7 +4,7 @@
 //! start, compilation, reading and writing are the same in both. No solver has to say its own time.
 
 use super::run::{SOLVER, Solvers};
-use crate::bench::children::Handed;
+use crate::bench::children::GuestScene;
 use crate::bench::config::{Method, SceneChoice};
 use crate::bench::scenes;
 use crate::precision::Peer;
@@ -104,7 +104,7 @@ fn timed(peer: &Peer, particles: usize, visit: &Visit<'_>) -> Result<(f64, usize
         // In turn, so that what slows the machine down does not meet one form alone.
         for (steps, least) in STEPS.into_iter().zip(&mut least) {
             let guest = problem(particles, steps).map_err(|error| error.to_string())?;
-            let handed = Handed::new(&guest)?;
+            let handed = GuestScene::new(&guest)?;
             let folder = visit.folder.join(steps.to_string());
             let (threads, stop) = (visit.threads, visit.stop);
             if round == 0 {

@@ -1,7 +1,7 @@
 //! Counted items: scenes, methods, parts of a step, laws, and features that do nothing.
 
 use super::scenes;
-use super::sources::{Digest, Kept, Sources};
+use super::sources::{Digest, KeptDigests, Sources};
 use crate::record::{Record, Row};
 use proctor_scene::simulation::Part;
 use serde_json::{Value, json};
@@ -185,7 +185,7 @@ fn plain() -> Value {
 /// Counts of an earlier record, with the digests of the sources that were counted then and of those of today.
 pub struct Earlier {
     rows: Vec<Row>,
-    before: Kept,
+    before: KeptDigests,
     sources: Sources,
 }
 
@@ -200,8 +200,11 @@ impl Earlier {
         record: Option<&Path>,
     ) -> Result<Self, Box<dyn Error>> {
         let (rows, before) = match record {
-            Some(path) => (Record::read(path)?.rows, Kept::read(&Kept::beside(path))?),
-            None => (vec![], Kept::default()),
+            Some(path) => (
+                Record::read(path)?.rows,
+                KeptDigests::read(&KeptDigests::beside(path))?,
+            ),
+            None => (vec![], KeptDigests::default()),
         };
         Ok(Self {
             rows,

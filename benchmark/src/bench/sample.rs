@@ -90,7 +90,7 @@ impl Work {
         let mut timed = match self.kind {
             Kind::Stage(part) => {
                 // The first step is not like the others: velocities and positions are at the same time.
-                Timed::stage(&mut simulation, part, settings.warm_up, steps, stop)
+                SampleTime::stage(&mut simulation, part, settings.warm_up, steps, stop)
             }
             Kind::Steps => {
                 let start = || start(&options);
@@ -123,8 +123,8 @@ impl Work {
         warm_up: usize,
         steps: u64,
         stop: &AtomicBool,
-    ) -> Result<Timed, String> {
-        let mut timed = Timed::default();
+    ) -> Result<SampleTime, String> {
+        let mut timed = SampleTime::default();
         let phases = Arc::new(Mutex::new(PhaseTimes::default()));
         let end = self.scene.time;
         let goes_on = |simulation: &Simulation| {
@@ -200,12 +200,12 @@ fn times_of(phases: &Mutex<PhaseTimes>) -> MutexGuard<'_, PhaseTimes> {
 
 /// Time of a sample.
 #[derive(Default)]
-struct Timed {
+struct SampleTime {
     stopwatch: Stopwatch,
     phases: Option<[Duration; Phase::ALL.len()]>,
 }
 
-impl Timed {
+impl SampleTime {
     /// A stage again and again on the same state; making that state is outside the clock.
     fn stage(
         simulation: &mut Simulation,

@@ -209,9 +209,9 @@ fn collect(root: &Path, folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<(
 
 /// Digests kept beside counts, by the name of what was counted.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Kept(BTreeMap<String, String>);
+pub struct KeptDigests(BTreeMap<String, String>);
 
-impl Kept {
+impl KeptDigests {
     /// The file of the digests, beside that of the counts.
     #[must_use]
     pub fn beside(counts: &Path) -> PathBuf {

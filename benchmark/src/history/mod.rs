@@ -9,7 +9,7 @@ mod read;
 
 pub use read::{HistoryError, of_files, of_git};
 
-use crate::judge::change::{Better, Moved, tolerance};
+use crate::judge::change::{Better, Direction, tolerance};
 use crate::record::row::GATE_VALUE;
 use crate::record::{CaseKey, Meaning};
 use numbers::Numbers;
@@ -65,7 +65,7 @@ pub struct ChangePoint {
     /// Relative loss; negative where it is better.
     pub loss: f64,
     /// Which way it went.
-    pub moved: Moved,
+    pub moved: Direction,
     /// Chance of such a change without a reason; 0 of what is exact.
     pub chance: f64,
 }
@@ -126,11 +126,11 @@ impl Series {
         let point = |at: usize, before: f64, after: f64, chance: f64| {
             let loss = self.better.loss(before, after);
             let moved = match self.better {
-                _ if !self.is_time() && loss.abs() <= tolerance(self.meaning) => Moved::Close,
-                _ if self.is_round_off(before, after) => Moved::Close,
-                Better::Neither => Moved::Other,
-                _ if loss > 0.0 => Moved::Worse,
-                _ => Moved::Better,
+                _ if !self.is_time() && loss.abs() <= tolerance(self.meaning) => Direction::Close,
+                _ if self.is_round_off(before, after) => Direction::Close,
+                Better::Neither => Direction::Other,
+                _ if loss > 0.0 => Direction::Worse,
+                _ => Direction::Better,
             };
             ChangePoint {
                 series: index,
@@ -291,14 +291,14 @@ mod tests {
         let names: Vec<String> = history.series.iter().map(Series::name).collect();
         assert_eq!(names, ["bar/h=1: error_l2_u", "bar/h=1: cpu_seconds"]);
         let points = history.change_points();
-        let told: Vec<(usize, usize, Moved)> =
+        let told: Vec<(usize, usize, Direction)> =
             points.iter().map(|p| (p.at, p.series, p.moved)).collect();
         assert_eq!(
             told,
             [
-                (10, 0, Moved::Better),
-                (20, 1, Moved::Worse),
-                (30, 0, Moved::Worse)
+                (10, 0, Direction::Better),
+                (20, 1, Direction::Worse),
+                (30, 0, Direction::Worse)
             ]
         );
         assert_eq!(points[0].loss, -0.5);

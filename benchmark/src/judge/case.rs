@@ -1,6 +1,6 @@
 //! One case, judged.
 
-use super::change::{self, Change, Found, Moved};
+use super::change::{self, Change, Direction, RecordedValue};
 use super::equal_error;
 use super::time::{self, Pace, Time};
 use super::{Rules, noise};
@@ -103,8 +103,8 @@ impl<'a> Docket<'a> {
     fn add_in_bars(&mut self, mut change: Change, bars: Option<f64>) {
         let name = self.finding.case.to_string();
         if let Some(ledger) = self.rules.ledger {
-            if change.moved != Moved::Same && ledger.accepts(self.ladder, &name, &change) {
-                change.moved = Moved::Accepted;
+            if change.moved != Direction::Same && ledger.accepts(self.ladder, &name, &change) {
+                change.moved = Direction::Accepted;
             }
             if let Some(best) = ledger.below_best(self.ladder, &name, &change) {
                 self.marks.worse = true;
@@ -113,7 +113,7 @@ impl<'a> Docket<'a> {
                     change.number, change.head
                 ));
             }
-            if self.rules.strict && !matches!(change.moved, Moved::Same | Moved::Accepted) {
+            if self.rules.strict && !matches!(change.moved, Direction::Same | Direction::Accepted) {
                 self.marks.worse = true;
                 self.finding.reasons.push(format!(
                     "{} {} -> {} without a line in the ledger",
@@ -131,7 +131,7 @@ impl<'a> Docket<'a> {
                 None => {}
             }
             match change.moved {
-                Moved::Close | Moved::Accepted => self.finding.told.push(line),
+                Direction::Close | Direction::Accepted => self.finding.told.push(line),
                 _ => self.finding.reasons.push(line),
             }
         }
@@ -167,7 +167,7 @@ pub(super) fn judge(
         if rules.strict {
             docket.add(new);
         } else {
-            new.moved = Moved::Close;
+            new.moved = Direction::Close;
             docket.finding.changes.push(new);
         }
         if let Some(failures) = Change::of_failures(None, head) {
@@ -197,7 +197,7 @@ pub(super) fn judge(
             .finding
             .changes
             .iter()
-            .any(|change| change.moved == Moved::Accepted);
+            .any(|change| change.moved == Direction::Accepted);
         if held && !accepted {
             docket.marks.worse = true;
             let reason = "the gate held in BASE and does not hold in HEAD".to_owned();
@@ -235,12 +235,12 @@ struct Marks {
 }
 
 impl Marks {
-    fn add(&mut self, moved: Moved) {
+    fn add(&mut self, moved: Direction) {
         match moved {
-            Moved::Same | Moved::Close | Moved::Accepted => {}
-            Moved::Better => self.better = true,
-            Moved::Worse => self.worse = true,
-            Moved::Missing | Moved::Appeared | Moved::Other => self.cannot = true,
+            Direction::Same | Direction::Close | Direction::Accepted => {}
+            Direction::Better => self.better = true,
+            Direction::Worse => self.worse = true,
+            Direction::Missing | Direction::Appeared | Direction::Other => self.cannot = true,
         }
     }
 
@@ -264,20 +264,20 @@ fn line(changed: &Change) -> Option<String> {
     } = changed;
     let moved = format!("{number} {}", arrow(changed));
     Some(match changed.moved {
-        Moved::Same => return None,
-        Moved::Missing if number == change::CASE => "missing in HEAD".to_owned(),
-        Moved::Missing => format!("{number} is missing in HEAD, {base} in BASE"),
-        Moved::Appeared if number == change::CASE => "not in BASE".to_owned(),
-        Moved::Appeared => format!("{number} is {head} in HEAD, and not in BASE"),
-        Moved::Other => format!("another problem: {moved}"),
-        Moved::Accepted => format!("accepted: {moved}"),
-        Moved::Better if number == change::FAILURE => format!("failed in BASE only: {base}"),
-        Moved::Worse if number == change::FAILURE => match base {
-            Found::Nothing => format!("fails in HEAD only: {head}"),
+        Direction::Same => return None,
+        Direction::Missing if number == change::CASE => "missing in HEAD".to_owned(),
+        Direction::Missing => format!("{number} is missing in HEAD, {base} in BASE"),
+        Direction::Appeared if number == change::CASE => "not in BASE".to_owned(),
+        Direction::Appeared => format!("{number} is {head} in HEAD, and not in BASE"),
+        Direction::Other => format!("another problem: {moved}"),
+        Direction::Accepted => format!("accepted: {moved}"),
+        Direction::Better if number == change::FAILURE => format!("failed in BASE only: {base}"),
+        Direction::Worse if number == change::FAILURE => match base {
+            RecordedValue::Nothing => format!("fails in HEAD only: {head}"),
             _ => format!("fails for another reason: {base} -> {head}"),
         },
-        Moved::Worse if changed.meaning == Meaning::GateBound => format!("looser: {moved}"),
-        Moved::Close | Moved::Better | Moved::Worse => moved,
+        Direction::Worse if changed.meaning == Meaning::GateBound => format!("looser: {moved}"),
+        Direction::Close | Direction::Better | Direction::Worse => moved,
     })
 }
 
@@ -346,24 +346,24 @@ fn paid(base: &Cases, case: &CaseKey, changes: &[Change]) -> Paid {
 }
 
 /// Which way the time went, at equal error where a gain was paid for in accuracy.
-fn judge_time(time: &Time, paid: &Paid) -> (Moved, Option<String>) {
+fn judge_time(time: &Time, paid: &Paid) -> (Direction, Option<String>) {
     match (time.pace, paid) {
-        (Pace::Same, _) => (Moved::Same, None),
-        (Pace::Slower, _) => (Moved::Worse, Some(time.said("slower"))),
-        (Pace::Unclear, _) => (Moved::Other, Some(time.unclear())),
-        (Pace::Faster, Paid::Nothing) => (Moved::Better, Some(time.said("faster"))),
+        (Pace::Same, _) => (Direction::Same, None),
+        (Pace::Slower, _) => (Direction::Worse, Some(time.said("slower"))),
+        (Pace::Unclear, _) => (Direction::Other, Some(time.unclear())),
+        (Pace::Faster, Paid::Nothing) => (Direction::Better, Some(time.said("faster"))),
         (Pace::Faster, Paid::Unknown(key)) => (
-            Moved::Same,
+            Direction::Same,
             Some(format!(
                 "faster, but {key} rose, and no ladder tells what that is worth: no gain"
             )),
         ),
         (Pace::Faster, Paid::Factor(key, factor)) => {
             let (moved, word) = match time.pace_at(*factor) {
-                Pace::Same => (Moved::Same, "no change"),
-                Pace::Faster => (Moved::Better, "still faster"),
-                Pace::Slower => (Moved::Worse, "slower"),
-                Pace::Unclear => (Moved::Other, "too noisy to tell"),
+                Pace::Same => (Direction::Same, "no change"),
+                Pace::Faster => (Direction::Better, "still faster"),
+                Pace::Slower => (Direction::Worse, "slower"),
+                Pace::Unclear => (Direction::Other, "too noisy to tell"),
             };
             let text = format!(
                 "time {} was paid for in accuracy ({key}); at equal error {}: {word}",

@@ -22,7 +22,7 @@ const PRESENT: &str = "present";
 
 /// What stands in a record.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Found {
+pub enum RecordedValue {
     /// Nothing.
     Nothing,
     /// A number.
@@ -31,7 +31,7 @@ pub enum Found {
     Word(String),
 }
 
-impl Found {
+impl RecordedValue {
     /// The number, if it is one.
     #[must_use]
     pub fn number(&self) -> Option<f64> {
@@ -52,7 +52,7 @@ impl Found {
 }
 
 /// A number as the shortest text that reads as the same bits.
-impl fmt::Display for Found {
+impl fmt::Display for RecordedValue {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Nothing => write!(f, "none"),
@@ -115,7 +115,7 @@ impl Better {
 
 /// The direction of a change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Moved {
+pub enum Direction {
     /// Not at all, bit by bit.
     Same,
     /// Not for the worse, or by so little that sums in another order (or another compiler, for counts) may have done it.
@@ -144,11 +144,11 @@ pub struct Change {
     /// Which way is better.
     pub better: Better,
     /// In BASE; of several samples the worst.
-    pub base: Found,
+    pub base: RecordedValue,
     /// In HEAD; of several samples the worst.
-    pub head: Found,
+    pub head: RecordedValue,
     /// Which way it went.
-    pub moved: Moved,
+    pub moved: Direction,
 }
 
 impl Change {
@@ -163,9 +163,9 @@ impl Change {
     pub(super) fn of_case(in_base: bool, in_head: bool) -> Self {
         let found = |there: bool| {
             if there {
-                Found::Word(PRESENT.to_owned())
+                RecordedValue::Word(PRESENT.to_owned())
             } else {
-                Found::Nothing
+                RecordedValue::Nothing
             }
         };
         Self {
@@ -175,22 +175,23 @@ impl Change {
             base: found(in_base),
             head: found(in_head),
             moved: match (in_base, in_head) {
-                (true, false) => Moved::Missing,
-                (false, true) => Moved::Appeared,
-                _ => Moved::Same,
+                (true, false) => Direction::Missing,
+                (false, true) => Direction::Appeared,
+                _ => Direction::Same,
             },
         }
     }
 
     /// The failures of a case; `None` where there are none.
     pub(super) fn of_failures(base: Option<&Series>, head: &Series) -> Option<Self> {
-        let found = |failure: Option<String>| failure.map_or(Found::Nothing, Found::Word);
+        let found =
+            |failure: Option<String>| failure.map_or(RecordedValue::Nothing, RecordedValue::Word);
         let (before, after) = (base.and_then(Series::failure), head.failure());
         let moved = match (&before, &after) {
             (None, None) => return None,
-            (Some(_), None) => Moved::Better,
-            (Some(before), Some(after)) if before == after => Moved::Same,
-            _ => Moved::Worse,
+            (Some(_), None) => Direction::Better,
+            (Some(before), Some(after)) if before == after => Direction::Same,
+            _ => Direction::Worse,
         };
         Some(Self {
             number: FAILURE.to_owned(),
@@ -216,7 +217,9 @@ pub fn compare(base: &Series, head: &Series) -> Vec<Change> {
         let better = better(meaning, base, head);
         let of = |series: &Series| {
             let values = series.counters.get(key);
-            values.map_or(Found::Nothing, |values| Found::Number(better.worst(values)))
+            values.map_or(RecordedValue::Nothing, |values| {
+                RecordedValue::Number(better.worst(values))
+            })
         };
         let (before, after) = (of(base), of(head));
         // A value whose error is there too is judged by that, and listed.
@@ -224,7 +227,7 @@ pub fn compare(base: &Series, head: &Series) -> Vec<Change> {
         let moved = if repeats(meaning, head.counters.get(key)) {
             moved(meaning, better, told, &before, &after)
         } else {
-            Moved::Worse
+            Direction::Worse
         };
         let meaning = if told { Meaning::Information } else { meaning };
         changes.push(Change {
@@ -240,9 +243,9 @@ pub fn compare(base: &Series, head: &Series) -> Vec<Change> {
     for key in keys {
         let of = |series: &Series| {
             let words = series.labels.get(key);
-            words.map_or(Found::Nothing, |words| {
+            words.map_or(RecordedValue::Nothing, |words| {
                 let words: Vec<&str> = words.iter().map(String::as_str).collect();
-                Found::Word(words.join("; "))
+                RecordedValue::Word(words.join("; "))
             })
         };
         let (before, after) = (of(base), of(head));
@@ -252,15 +255,15 @@ pub fn compare(base: &Series, head: &Series) -> Vec<Change> {
             meaning: Meaning::of_label(key),
             better: Better::Neither,
             moved: match (&before, &after) {
-                (_, Found::Nothing) => Moved::Missing,
-                (Found::Nothing, _) => Moved::Appeared,
-                _ if one && before.equals(&after) => Moved::Same,
-                (Found::Word(before), Found::Word(after))
+                (_, RecordedValue::Nothing) => Direction::Missing,
+                (RecordedValue::Nothing, _) => Direction::Appeared,
+                _ if one && before.equals(&after) => Direction::Same,
+                (RecordedValue::Word(before), RecordedValue::Word(after))
                     if one && Meaning::of_label(key) == Meaning::Settling =>
                 {
                     settled(before, after)
                 }
-                _ => Moved::Worse,
+                _ => Direction::Worse,
             },
             base: before,
             head: after,
@@ -270,12 +273,12 @@ pub fn compare(base: &Series, head: &Series) -> Vec<Change> {
 }
 
 /// Change of the verdict of a bar: to `asymptotic` is better, from it worse, all else neither.
-fn settled(before: &str, after: &str) -> Moved {
+fn settled(before: &str, after: &str) -> Direction {
     let asymptotic = proctor_verification::refine::Verdict::Asymptotic.word();
     match (before == asymptotic, after == asymptotic) {
-        (true, false) => Moved::Worse,
-        (false, true) => Moved::Better,
-        _ => Moved::Close,
+        (true, false) => Direction::Worse,
+        (false, true) => Direction::Better,
+        _ => Direction::Close,
     }
 }
 
@@ -332,27 +335,27 @@ fn moved(
     meaning: Meaning,
     better: Better,
     told_by_error: bool,
-    base: &Found,
-    head: &Found,
-) -> Moved {
+    base: &RecordedValue,
+    head: &RecordedValue,
+) -> Direction {
     let (base, head) = match (base, head) {
-        (_, Found::Nothing) => return Moved::Missing,
-        (Found::Nothing, _) => return Moved::Appeared,
-        _ if base.equals(head) => return Moved::Same,
-        (Found::Number(base), Found::Number(head)) => (*base, *head),
-        _ => return Moved::Other,
+        (_, RecordedValue::Nothing) => return Direction::Missing,
+        (RecordedValue::Nothing, _) => return Direction::Appeared,
+        _ if base.equals(head) => return Direction::Same,
+        (RecordedValue::Number(base), RecordedValue::Number(head)) => (*base, *head),
+        _ => return Direction::Other,
     };
     if meaning == Meaning::Setting {
-        return Moved::Other;
+        return Direction::Other;
     }
     let tolerance = tolerance(meaning);
     let loss = better.loss(base, head);
     if told_by_error || loss.abs() <= tolerance {
-        Moved::Close
+        Direction::Close
     } else if loss < 0.0 {
-        Moved::Better
+        Direction::Better
     } else {
-        Moved::Worse
+        Direction::Worse
     }
 }
 

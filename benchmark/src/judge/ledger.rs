@@ -3,8 +3,8 @@
 //! A file of comma-separated values that grows at its end, one line per number. A change that it names is accepted; and
 //! it remembers the best value that a number ever had, so that many small steps do not add up to a large one unseen.
 
-use super::change::{Change, Found, Moved, tolerance};
-use crate::record::Meaning;
+use super::change::{Change, Direction, RecordedValue, tolerance};
+use crate::record::{Meaning, renamed};
 use proctor_files::output::{OutputError, atomic};
 use serde::{Deserialize, Serialize};
 use std::fmt;
@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 /// How a number moved, as the ledger says it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum What {
+pub enum ChangeKind {
     /// For the better, or by less than is judged.
     Better,
     /// For the worse, or where neither is better: somebody took it with its reason.
@@ -38,7 +38,7 @@ pub struct Line {
     /// What stands there now, `none` where nothing does.
     pub to: String,
     /// How it moved.
-    pub what: What,
+    pub what: ChangeKind,
     /// Why it was accepted.
     pub reason: String,
     /// Commit of the sources that were measured, `+` where they held more than it.
@@ -68,7 +68,7 @@ impl fmt::Display for LedgerError {
 impl std::error::Error for LedgerError {}
 
 impl Ledger {
-    /// Reads a ledger.
+    /// Reads a ledger, with all names as they are today ([`renamed`]).
     ///
     /// # Errors
     /// [`LedgerError`] if there is no file, or a line is none of a ledger.
@@ -81,12 +81,16 @@ impl Ledger {
         };
         let mut reader = csv::Reader::from_path(path).map_err(fault)?;
         let lines: Result<Vec<Line>, _> = reader.deserialize().collect();
-        let lines = lines.map_err(fault)?;
+        let mut lines = lines.map_err(fault)?;
         if let Some(at) = lines.iter().position(|line| line.reason.trim().is_empty()) {
             return Err(LedgerError {
                 path: path.to_owned(),
                 reason: format!("line {}: no reason is given", at + 2),
             });
+        }
+        for line in &mut lines {
+            line.case = renamed::name(&line.case).into_owned();
+            line.number = renamed::key_of_row(&line.number).into_owned();
         }
         Ok(Self { lines })
     }
@@ -139,10 +143,12 @@ impl Ledger {
         for line in self.of(ladder, case, &change.number) {
             let (from, to) = (line.from.parse().ok(), line.to.parse::<f64>().ok());
             best = match (line.what, best.or(from), to) {
-                (What::Better, Some(best), Some(to)) if change.better.loss(best, to) > 0.0 => {
+                (ChangeKind::Better, Some(best), Some(to))
+                    if change.better.loss(best, to) > 0.0 =>
+                {
                     Some(best)
                 }
-                (What::Gone, _, _) => None,
+                (ChangeKind::Gone, _, _) => None,
                 (_, best, to) => to.or(best),
             };
         }
@@ -182,10 +188,10 @@ impl Ledger {
         commit: &str,
     ) -> Line {
         let what = match (&change.base, &change.head) {
-            (Found::Nothing, _) => What::New,
-            (_, Found::Nothing) => What::Gone,
-            _ if self.worse(ladder, case, change) => What::Worse,
-            _ => What::Better,
+            (RecordedValue::Nothing, _) => ChangeKind::New,
+            (_, RecordedValue::Nothing) => ChangeKind::Gone,
+            _ if self.worse(ladder, case, change) => ChangeKind::Worse,
+            _ => ChangeKind::Better,
         };
         Line {
             ladder: ladder.to_owned(),
@@ -202,7 +208,7 @@ impl Ledger {
     /// Whether a change is for the worse, against BASE or against the best value ever accepted.
     #[must_use]
     pub fn worse(&self, ladder: &str, case: &str, change: &Change) -> bool {
-        matches!(change.moved, Moved::Worse | Moved::Other)
+        matches!(change.moved, Direction::Worse | Direction::Other)
             || self.below_best(ladder, case, change).is_some()
     }
 }

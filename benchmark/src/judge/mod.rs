@@ -13,7 +13,7 @@ pub mod time;
 pub use case::{CaseVerdict, Finding};
 
 use crate::record::{Cases, Meaning, Record, Row};
-use change::Moved;
+use change::Direction;
 use ledger::Ledger;
 
 /// What decides how records are judged.
@@ -77,13 +77,14 @@ impl Comparison {
             let of_it = || changes().filter(move |change| change.meaning == meaning);
             let alone = |change: &&change::Change| {
                 let (base, head) = (&change.base, &change.head);
-                matches!(base, change::Found::Nothing) || matches!(head, change::Found::Nothing)
+                matches!(base, change::RecordedValue::Nothing)
+                    || matches!(head, change::RecordedValue::Nothing)
             };
             let alone = of_it().filter(alone).count();
             Tally {
                 meaning,
                 compared: of_it().count() - alone,
-                equal: of_it().filter(|c| c.moved == Moved::Same).count(),
+                equal: of_it().filter(|c| c.moved == Direction::Same).count(),
                 alone,
             }
         });

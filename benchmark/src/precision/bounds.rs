@@ -1,7 +1,7 @@
 //! Bounds that other solvers are held to, one per case.
 
 use super::peers::PeerLine;
-use super::run::Studied;
+use super::run::CaseStudy;
 use crate::bench::children::OWN;
 use crate::record::Record;
 use proctor_verification::case::{Gate, Relation};
@@ -49,7 +49,7 @@ impl FromStr for Bound {
 /// The gate of each other solver on a study: the error of its finest run. Without a bound of the user's it may be twice that of
 /// this program's own process, or 1 % where that is more.
 #[must_use]
-pub fn gates(studied: &Studied, bounds: &[Bound]) -> Vec<(String, Gate)> {
+pub fn gates(studied: &CaseStudy, bounds: &[Bound]) -> Vec<(String, Gate)> {
     let case = studied.study.name();
     let given = bounds.iter().rfind(|bound| bound.case == case);
     let own = studied

@@ -2,7 +2,7 @@
 
 use super::choices::Line;
 use super::cost::{At, Cost, cost, pareto};
-use super::run::Studied;
+use super::run::CaseStudy;
 use proctor_verification::convergence::{ConvergenceTable, Row};
 use proctor_verification::settings::Method;
 
@@ -51,7 +51,7 @@ impl LineFindings {
 impl Findings {
     /// What the runs say of a measure, by its number.
     #[must_use]
-    pub fn new(studied: &Studied, measure: usize) -> Self {
+    pub fn new(studied: &CaseStudy, measure: usize) -> Self {
         let at: Vec<Option<At>> = studied
             .runs
             .iter()
@@ -123,7 +123,7 @@ impl Findings {
 }
 
 fn line_findings(
-    studied: &Studied,
+    studied: &CaseStudy,
     measure: usize,
     line: &Line,
     at: &[Option<At>],

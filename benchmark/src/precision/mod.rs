@@ -13,4 +13,4 @@ pub mod run;
 pub use choices::{Effort, Line, Plan};
 pub use findings::Findings;
 pub use peers::{Peer, PeerLine, PeerRun};
-pub use run::{Found, Run, Sample, Studied};
+pub use run::{CaseStudy, Run, RunNumbers, Sample};

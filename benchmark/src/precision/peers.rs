@@ -5,7 +5,7 @@ use super::cost::{At, Cost, cost};
 use super::findings::LEVELS;
 use super::problems::keep_fields;
 use super::run::{LONG, USELESS};
-use crate::bench::children::{Calibration, Handed, OWN, calibrate, is_endless, is_skip, own};
+use crate::bench::children::{Calibration, GuestScene, OWN, calibrate, is_endless, is_skip, own};
 use crate::bench::config::Executable;
 use crate::measure::Spent;
 use crate::record::{Row, key};
@@ -220,7 +220,7 @@ pub fn run_as(study: Study, peers: &[Peer], visit: &Visit<'_>) -> Result<Vec<Pee
             Err(_) if lines.iter().any(|line| !line.runs.is_empty()) => break,
             Err(reason) => return Err(reason.to_owned()),
         };
-        let handed = Handed::new(&guest)?;
+        let handed = GuestScene::new(&guest)?;
         let folder = folder.join(study.name()).join(key(&rung.label));
         let mut due = None;
         for (peer, line) in peers.iter().zip(&mut lines) {
@@ -267,7 +267,7 @@ pub fn run_as(study: Study, peers: &[Peer], visit: &Visit<'_>) -> Result<Vec<Pee
 
 /// The repetitions of a run.
 fn timed(
-    handed: &Handed,
+    handed: &GuestScene,
     executable: &Executable,
     effort: Effort,
     threads: usize,

@@ -1,11 +1,11 @@
 //! The problems of the cases for solvers that read no scene of ours: folders to be solved by hand, and frames judged without
 //! running a solver.
 
-use crate::bench::children::{Calibration, Handed, own};
+use crate::bench::children::{Calibration, GuestScene, own};
 use crate::record::key;
 use proctor_files::output::atomic;
 use proctor_verification::case::{Rung, Size};
-use proctor_verification::guest::{Compared, Guest, Norm, Snapshot};
+use proctor_verification::guest::{ComparedField, Guest, Norm, Snapshot};
 use proctor_verification::study::{self, Study};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -31,7 +31,7 @@ pub fn write(folder: &Path, stop: &AtomicBool) -> Result<Vec<PathBuf>, String> {
             let Ok(guest) = study.guest(&rung) else {
                 continue;
             };
-            let handed = Handed::new(&guest)?;
+            let handed = GuestScene::new(&guest)?;
             let place = desk.path().join(study.name()).join(key(&rung.label));
             handed.run(&own, 1, &place, stop)?;
             let frames = handed.snapshots(&guest, &own, &CALIBRATED, &place)?;
@@ -47,8 +47,8 @@ pub fn write(folder: &Path, stop: &AtomicBool) -> Result<Vec<PathBuf>, String> {
 /// The words for what is compared.
 fn compared(guest: &Guest) -> (&'static str, &'static str) {
     match guest.compared {
-        Compared::Displacement => ("displacement", "m"),
-        Compared::Velocity => ("velocity", "m/s"),
+        ComparedField::Displacement => ("displacement", "m"),
+        ComparedField::Velocity => ("velocity", "m/s"),
     }
 }
 
@@ -56,7 +56,7 @@ fn problem(
     study: Study,
     rung: &Rung,
     guest: &Guest,
-    handed: &Handed,
+    handed: &GuestScene,
     frames: &[Snapshot],
     folder: &Path,
 ) -> std::io::Result<()> {
@@ -112,7 +112,7 @@ fn problem(
 /// Why there is none.
 pub fn judge(study: Study, rung: &Rung, frames: &Path) -> Result<f64, String> {
     let guest = study.guest(rung)?;
-    let handed = Handed::new(&guest)?;
+    let handed = GuestScene::new(&guest)?;
     let own = own().ok_or("this program does not know its own file")?;
     let frames = handed.read(&guest, own.time_label, &CALIBRATED, frames)?;
     guest.error(&frames)

@@ -3,7 +3,7 @@
 use super::choices::Choice;
 use super::findings::{Findings, LEVELS};
 use super::peers::{PeerLine, PeerRun};
-use super::run::{Run, Sample, Studied, minimum_and_median};
+use super::run::{CaseStudy, Run, Sample, minimum_and_median};
 use crate::record::{LADDER, Record, Row, key};
 use proctor_verification::settings::Method;
 use proctor_verification::study::Study;
@@ -51,7 +51,7 @@ fn describe(row: &mut Row, case: &str, method: Method) {
 
 impl Record {
     /// Adds a row per repetition of a study, and one per line and measure for what it costs.
-    pub fn push_study(&mut self, studied: &Studied, threads: usize) {
+    pub fn push_study(&mut self, studied: &CaseStudy, threads: usize) {
         let case = studied.study.name();
         for (choice, run) in studied.plan.choices.iter().zip(&studied.runs) {
             if run.samples.is_empty() {
@@ -108,7 +108,7 @@ fn sample_row(blank: Row, run: &Run, sample: &Sample) -> Row {
 
 /// What is known of a repetition without its times.
 fn blank_row(
-    studied: &Studied,
+    studied: &CaseStudy,
     choice: &Choice,
     run: &Run,
     repetition: usize,
@@ -140,7 +140,7 @@ fn blank_row(
 }
 
 /// A run of another solver in the columns of [`csv`]; it has a process and no settings.
-fn peer_values(studied: &Studied, peer: &PeerLine, run: &PeerRun) -> [String; 21] {
+fn peer_values(studied: &CaseStudy, peer: &PeerLine, run: &PeerRun) -> [String; 21] {
     let measure = studied.study.measures().first().map(|m| m.word);
     let mut values: [String; 21] = Default::default();
     studied.study.name().clone_into(&mut values[0]);
@@ -201,7 +201,7 @@ pub(crate) fn peer_rows(study: Study, peer: &PeerLine, run: &PeerRun, threads: u
 ///
 /// # Errors
 /// If `out` cannot be written.
-pub fn csv(studied: &Studied, heading: bool, out: &mut dyn std::io::Write) -> csv::Result<()> {
+pub fn csv(studied: &CaseStudy, heading: bool, out: &mut dyn std::io::Write) -> csv::Result<()> {
     let mut table = csv::Writer::from_writer(out);
     if heading {
         table.write_record([

@@ -20,7 +20,7 @@ pub const USELESS: f64 = 1.0;
 const NOT_RUN: &str = "not run";
 
 /// A case that was studied.
-pub struct Studied {
+pub struct CaseStudy {
     /// The case.
     pub study: Study,
     /// What was to be run.
@@ -35,7 +35,7 @@ pub struct Studied {
     pub no_peers: Option<String>,
 }
 
-impl Studied {
+impl CaseStudy {
     /// Run time of a run by its number \[s\]: the stepping loop of the fastest repetition. On one thread it is the time
     /// on the processor, which other work on the machine does not lengthen; on several, by the clock.
     #[must_use]
@@ -51,7 +51,7 @@ impl Studied {
         Some(self.runs.get(run)?.minimum_and_median(time)?[0])
     }
 
-    /// What [`Studied::seconds`] measures, in words.
+    /// What [`CaseStudy::seconds`] measures, in words.
     #[must_use]
     pub fn seconds_words(&self) -> &'static str {
         if self.threads == 1 {
@@ -68,7 +68,7 @@ pub struct Run {
     /// One sample per repetition.
     pub samples: Vec<Sample>,
     /// What was found, the same in every repetition; or why the run failed.
-    pub found: Result<Found, String>,
+    pub found: Result<RunNumbers, String>,
 }
 
 /// Times of one repetition.
@@ -84,7 +84,7 @@ pub struct Sample {
 
 /// Counts and errors of a run.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Found {
+pub struct RunNumbers {
     /// Number of particles.
     pub particles: usize,
     /// Number of steps.
@@ -182,7 +182,7 @@ pub fn run(
     options: &Options,
     interrupt: &AtomicBool,
     progress: &mut dyn FnMut(f64),
-) -> Studied {
+) -> CaseStudy {
     let plan = Plan::new(study, effort.size);
     let count = plan.choices.len().max(1) as f64;
     let mut runs = vec![];
@@ -201,7 +201,7 @@ pub fn run(
             None => break,
         }
     }
-    Studied {
+    CaseStudy {
         study,
         plan,
         runs,
@@ -255,17 +255,19 @@ fn point(
             return None;
         }
         run.samples.push(sample);
-        run.found = solved.map_err(|error| error.reason).map(|studied| Found {
-            particles: studied.solved.particles,
-            steps: studied.solved.steps,
-            dt: studied.dt,
-            dt_over_critical: studied.dt / studied.dt_critical,
-            errors: study
-                .measures()
-                .iter()
-                .map(|m| studied.solved.error(m.quantity))
-                .collect(),
-        });
+        run.found = solved
+            .map_err(|error| error.reason)
+            .map(|studied| RunNumbers {
+                particles: studied.solved.particles,
+                steps: studied.solved.steps,
+                dt: studied.dt,
+                dt_over_critical: studied.dt / studied.dt_critical,
+                errors: study
+                    .measures()
+                    .iter()
+                    .map(|m| studied.solved.error(m.quantity))
+                    .collect(),
+            });
         if run.found.is_err() || sample.stepping.wall > LONG {
             break;
         }

@@ -4,12 +4,12 @@ use super::done::VERDICT;
 use super::row::{GATE, GATE_BOUND, GATE_SIDE, GATE_VALUE};
 use super::{LADDER, Record, Row, key};
 use crate::measure::Spent;
-use crate::suite::{Ran, RanRung};
+use crate::suite::{CaseRun, RanRung};
 use proctor_verification::case::Gate;
 
 impl Record {
     /// Adds a row per run of a case and repetition, one per gate, and one for the verdict where anything was run.
-    pub fn push_case(&mut self, ran: &Ran, threads: usize) {
+    pub fn push_case(&mut self, ran: &CaseRun, threads: usize) {
         if ran.rungs.is_empty() {
             return;
         }
@@ -79,7 +79,7 @@ fn gate_row(case: &str, gate: &Gate, threads: usize) -> Row {
 }
 
 /// Verdict and observed orders of a case.
-fn verdict_row(ran: &Ran, threads: usize) -> Row {
+fn verdict_row(ran: &CaseRun, threads: usize) -> Row {
     let mut row = Row::aggregate(ran.case.name(), VERDICT, threads);
     let failed = ran.verdict.gates.iter().filter(|g| !g.passed()).count();
     row.count("gates", ran.verdict.gates.len() as f64);

@@ -1,14 +1,14 @@
 //! The details of a record beside its flat rows: gates with their reasons, pictures, and plans, so that a page can be
 //! made from the record alone.
 
-use super::key;
 pub use super::refined::{BandDetail, RefinedDetail};
+use super::{key, renamed};
 use crate::precision::findings::LineFindings;
-use crate::precision::{Findings, Studied};
+use crate::precision::{CaseStudy, Findings};
 use crate::show::chart::Chart;
 use crate::show::{figures, precision as show};
 use crate::stability::StabilityDetail;
-use crate::suite::Ran;
+use crate::suite::CaseRun;
 use proctor_files::run::plan_value;
 use proctor_scene::plan::Plan;
 use proctor_verification::case::{Curve, Gate, Relation};
@@ -143,7 +143,7 @@ pub struct PlanDetail {
 }
 
 /// What the chart of error against time shows.
-fn caption(studied: &Studied, measure: usize) -> String {
+fn caption(studied: &CaseStudy, measure: usize) -> String {
     let methods = "Error against the time of the stepping loop. Lines refine the mesh, dots change the Courant number or \
                    the particles per cell, the broad band joins the runs that no other beats in both.";
     if studied.peers.is_empty() || measure > 0 {
@@ -166,8 +166,21 @@ impl Details {
             && self.refined.is_empty()
     }
 
+    /// Gives gates and quantities their names of today.
+    pub(super) fn rename(&mut self) {
+        for case in &mut self.cases {
+            for [key, name] in &mut case.quantities {
+                *key = renamed::key_of_row(key).into_owned();
+                *name = renamed::name(name).into_owned();
+            }
+            for gate in &mut case.gates {
+                gate.name = renamed::name(&gate.name).into_owned();
+            }
+        }
+    }
+
     /// Adds a case that was run. Of each variant the curve of the finest run is kept.
-    pub fn push_case(&mut self, ran: &Ran) {
+    pub fn push_case(&mut self, ran: &CaseRun) {
         let mut curves: Vec<Figure> = vec![];
         let mut drawings: Vec<Figure> = vec![];
         let mut variant = None;
@@ -230,7 +243,7 @@ impl Details {
     }
 
     /// Adds error against run time of a case, one study per error that the case tells.
-    pub fn push_study(&mut self, studied: &Studied) {
+    pub fn push_study(&mut self, studied: &CaseStudy) {
         for (number, measure) in studied.study.measures().iter().enumerate() {
             let findings = Findings::new(studied, number);
             let best: Vec<&LineFindings> = findings.ranked();

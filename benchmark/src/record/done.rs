@@ -137,9 +137,9 @@ fn is_aggregate(row: &Row, of: &str) -> bool {
 mod tests {
     use super::*;
     use crate::measure::Spent;
-    use crate::suite::{Ran, RanRung};
+    use crate::suite::{CaseRun, RanRung};
     use proctor_scene::simulation::Options;
-    use proctor_verification::case::{self, CaseError, Gate, Solved, Verdict};
+    use proctor_verification::case::{self, CaseError, Gate, RungResult, Verdict};
 
     fn of(name: &str) -> &'static Case {
         let found = case::all().iter().find(|case| case.name() == name);
@@ -151,7 +151,7 @@ mod tests {
         let case = of(name);
         let ladder = case.rungs(Size::Quick);
         let last = ladder.len() - 1;
-        let solved = || Solved {
+        let solved = || RungResult {
             particles: 4,
             steps: 2,
             time: 0.1,
@@ -173,7 +173,7 @@ mod tests {
                 samples: vec![Spent::default()],
             });
         let gate = Gate::at_most("error".to_owned(), 1.0, bound, "a reason");
-        let ran = Ran {
+        let ran = CaseRun {
             case,
             rungs: rungs.collect(),
             verdict: Verdict {

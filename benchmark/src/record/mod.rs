@@ -16,6 +16,7 @@ mod meaning;
 pub mod otava;
 mod read;
 mod refined;
+pub mod renamed;
 pub(crate) mod row;
 mod series;
 pub mod summary;

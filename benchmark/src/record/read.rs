@@ -2,7 +2,7 @@
 
 use super::context::SCHEMA_VERSION;
 use super::error::{Reason, RecordError};
-use super::{Details, Kind, Record, Row};
+use super::{Details, Kind, Record, Row, renamed};
 use crate::measure::Spent;
 use serde::Deserialize;
 use serde::de::{self, Deserializer, Error as _, MapAccess, SeqAccess, Visitor};
@@ -67,11 +67,13 @@ impl Record {
         {
             return Err(fault(None, Reason::Version(version.to_string())));
         }
-        Ok(Self {
+        let mut record = Self {
             context: file.context.into(),
             rows: file.benchmarks,
             details: file.details,
-        })
+        };
+        record.details.rename();
+        Ok(record)
     }
 }
 
@@ -182,7 +184,7 @@ impl<'de> Visitor<'de> for RowVisitor {
         while let Some(key) = map.next_key::<String>()? {
             // Where a fault is found decides the line that is reported.
             let value = map.next_value()?;
-            fields.take(key, value)?;
+            fields.take(renamed::key_of_row(&key).into_owned(), value)?;
         }
         fields.row()
     }
@@ -252,6 +254,7 @@ impl Fields {
         let name = self.words.remove("name");
         let name = self.words.remove("run_name").or(name);
         let name = name.ok_or_else(|| E::custom("a row without `name`"))?;
+        let name = renamed::name(&name).into_owned();
         let whole = |numbers: &mut BTreeMap<String, f64>, key: &str, default: u64| {
             numbers.remove(key).map_or(default, |n| n as u64)
         };

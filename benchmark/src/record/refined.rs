@@ -2,7 +2,7 @@
 
 use super::Record;
 use super::details::Figure;
-use crate::refine::judge::{Judged, Refined};
+use crate::refine::judge::{QuantityBar, SceneBars};
 use crate::refine::work::Runs;
 use crate::show::figures::refine as figures;
 use crate::show::paint::Paint;
@@ -43,7 +43,7 @@ pub struct BandDetail {
 
 impl Record {
     /// Adds a refined scene: its runs and bars as rows, its table, pictures and curves beside them.
-    pub fn push_refined(&mut self, refined: &Refined, runs: &Runs, threads: usize) {
+    pub fn push_refined(&mut self, refined: &SceneBars, runs: &Runs, threads: usize) {
         crate::refine::rows::push(self, &refined.scene, runs, Some(refined), threads);
         let mut all: Vec<Figure> = vec![];
         let mut curves: Vec<BandDetail> = vec![];
@@ -87,7 +87,7 @@ impl Record {
 }
 
 /// The history of a quantity; `None` where it is not all numbers.
-fn band(refined: &Refined, judged: &Judged, runs: &Runs) -> Option<BandDetail> {
+fn band(refined: &SceneBars, judged: &QuantityBar, runs: &Runs) -> Option<BandDetail> {
     let column = &judged.quantity.column;
     let values = runs.meshes.last()?.columns.get(column)?;
     let values = values.get(..refined.times.len())?;

@@ -1,6 +1,6 @@
 //! The judgement of runs on several meshes: a value with its bar for each quantity, and the gates of the scene.
 
-use super::quantity::{Quantity, When, nearest};
+use super::quantity::{Quantity, QuantityTime, nearest};
 use super::run::MeshRun;
 use proctor_verification::refine::field::{Field, compared};
 use proctor_verification::refine::series::{Gate, Histories};
@@ -15,7 +15,7 @@ const SAME_COLUMN: f64 = 1e-9;
 
 /// A scene on its meshes, judged.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Refined {
+pub struct SceneBars {
     /// Name of the scene.
     pub scene: String,
     /// The finest three cell sizes, coarse to fine \[m\].
@@ -25,7 +25,7 @@ pub struct Refined {
     /// Kinetic and strain energy over time.
     pub gates: [Gate; 2],
     /// The quantities.
-    pub judged: Vec<Judged>,
+    pub judged: Vec<QuantityBar>,
     /// Fields of the particles that the user named.
     pub fields: Vec<FieldBar>,
 }
@@ -45,7 +45,7 @@ pub struct FieldBar {
 
 /// A quantity, judged.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Judged {
+pub struct QuantityBar {
     /// The quantity.
     pub quantity: Quantity,
     /// Values on all meshes, coarse to fine, in the unit of the quantity.
@@ -81,7 +81,7 @@ pub enum Claim {
     Place,
 }
 
-impl Judged {
+impl QuantityBar {
     /// Value on the finest mesh.
     #[must_use]
     pub fn value(&self) -> f64 {
@@ -124,7 +124,7 @@ impl Judged {
     }
 }
 
-impl Refined {
+impl SceneBars {
     /// With fields of the particles, at the end of the judged time. Those that cannot be compared are left out.
     #[must_use]
     pub fn with_fields(mut self, fields: &[Field], runs: &[MeshRun]) -> Self {
@@ -288,7 +288,7 @@ impl View<'_> {
     }
 
     /// A quantity with its bar; `None` where a value is not a number.
-    fn judge(&self, quantity: Quantity, runs: &[MeshRun], settles: bool) -> Option<Judged> {
+    fn judge(&self, quantity: Quantity, runs: &[MeshRun], settles: bool) -> Option<QuantityBar> {
         let histories = self.histories(&quantity.column)?;
         let values: Vec<f64> = runs
             .iter()
@@ -302,7 +302,7 @@ impl View<'_> {
         }
         let curve = histories.by_time();
         let place = match quantity.when {
-            When::At(time) => nearest(histories.times, time),
+            QuantityTime::At(time) => nearest(histories.times, time),
             _ => self.count - 1,
         };
         let scale = values
@@ -336,7 +336,7 @@ impl View<'_> {
             Claim::DoesNotSettle
         };
         let moved = self.moved.iter().map(|run| quantity.value(run, self.count));
-        Some(Judged {
+        Some(QuantityBar {
             change: self.change(&quantity.column),
             norm: histories.norm(),
             moved: moved.collect(),

@@ -1,6 +1,6 @@
 //! Scenes that guard the gate of a scene: those whose energies must settle, and those of which no bar may be claimed.
 
-use super::judge::Refined;
+use super::judge::SceneBars;
 use super::work::{Runs, Work};
 use crate::interrupt::Interrupt;
 use proctor_files::json;
@@ -51,7 +51,7 @@ impl KeptScene {
         &self,
         options: &Options,
         interrupt: &Interrupt,
-    ) -> Result<Option<(Refined, Runs)>, String> {
+    ) -> Result<Option<(SceneBars, Runs)>, String> {
         let scene = json::from_json(self.text, self.name, Path::new(""));
         let scene = scene.map_err(|error| error.to_string())?;
         let meshes = Meshes {
@@ -77,7 +77,7 @@ impl KeptScene {
         if interrupt.raised() {
             return Ok(None);
         }
-        let refined = Refined::new(self.name, &runs.meshes, &[], &[], None)?;
+        let refined = SceneBars::new(self.name, &runs.meshes, &[], &[], None)?;
         Ok(Some((refined, runs)))
     }
 }

@@ -1,6 +1,6 @@
 //! Ladders of several methods side by side: which one is cheapest, and whether all of them have one limit.
 
-use super::judge::Refined;
+use super::judge::SceneBars;
 use super::work::Runs;
 use proctor_scene::{DomainUpdate, Scene, StressScheme, Transfer, TransferKind, Weighting};
 use proctor_verification::settings::Method;
@@ -15,7 +15,7 @@ pub struct MethodRun {
     /// Its runs.
     pub runs: Runs,
     /// Their judgement, or the reason why there is none.
-    pub refined: Result<Refined, String>,
+    pub refined: Result<SceneBars, String>,
 }
 
 /// The method of a scene.
@@ -151,7 +151,7 @@ pub fn apart(all: &[MethodRun]) -> Vec<Apart> {
                 continue;
             };
             for one in &a.judged {
-                let same = |other: &&super::judge::Judged| other.quantity == one.quantity;
+                let same = |other: &&super::judge::QuantityBar| other.quantity == one.quantity;
                 let Some(other) = b.judged.iter().find(same) else {
                     continue;
                 };

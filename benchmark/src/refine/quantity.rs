@@ -11,12 +11,12 @@ pub struct Quantity {
     /// Column of the history.
     pub column: String,
     /// The time or part of the history that gives the number.
-    pub when: When,
+    pub when: QuantityTime,
 }
 
 /// The time or part of a history that gives a number.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum When {
+pub enum QuantityTime {
     /// At the end of the judged time.
     End,
     /// Its largest value.
@@ -31,7 +31,7 @@ pub enum When {
     At(f64),
 }
 
-impl When {
+impl QuantityTime {
     /// True where the bar is that of a window in time, not of the number alone.
     #[must_use]
     pub fn is_local(self) -> bool {
@@ -39,7 +39,7 @@ impl When {
     }
 }
 
-impl fmt::Display for When {
+impl fmt::Display for QuantityTime {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::End => write!(f, "end"),
@@ -57,7 +57,7 @@ impl Quantity {
         Self {
             name: column.to_owned(),
             column: column.to_owned(),
-            when: When::End,
+            when: QuantityTime::End,
         }
     }
 
@@ -74,9 +74,9 @@ impl Quantity {
         let (name, rest) = text.split_once('=').ok_or_else(accepted)?;
         let (column, when) = rest.rsplit_once('@').ok_or_else(accepted)?;
         let when = match when {
-            "end" => When::End,
-            "max" => When::Max,
-            "mean" => When::Mean,
+            "end" => QuantityTime::End,
+            "max" => QuantityTime::Max,
+            "mean" => QuantityTime::Mean,
             time => {
                 let time: f64 = time
                     .trim_end_matches('s')
@@ -86,7 +86,7 @@ impl Quantity {
                 if !(time >= 0.0 && time.is_finite()) {
                     return Err(accepted());
                 }
-                When::At(time)
+                QuantityTime::At(time)
             }
         };
         if name.is_empty() || column.is_empty() {
@@ -109,7 +109,7 @@ impl Quantity {
     /// Its unit, from the name of its column.
     #[must_use]
     pub fn unit(&self) -> &'static str {
-        if self.when == When::LateRate {
+        if self.when == QuantityTime::LateRate {
             return "N";
         }
         unit(&self.column)
@@ -129,12 +129,12 @@ impl Quantity {
         let end = times[count - 1];
         let late = times.partition_point(|time| *time < 0.8 * end - 1e-9 * end);
         match self.when {
-            When::End => values[count - 1],
-            When::Max => values.iter().copied().fold(f64::NEG_INFINITY, f64::max),
-            When::Mean => mean(times, values),
-            When::Late => mean(&times[late..], &values[late..]),
-            When::LateRate => (values[count - 1] - values[late]) / (end - times[late]),
-            When::At(time) => values[nearest(times, time)],
+            QuantityTime::End => values[count - 1],
+            QuantityTime::Max => values.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+            QuantityTime::Mean => mean(times, values),
+            QuantityTime::Late => mean(&times[late..], &values[late..]),
+            QuantityTime::LateRate => (values[count - 1] - values[late]) / (end - times[late]),
+            QuantityTime::At(time) => values[nearest(times, time)],
         }
     }
 }
@@ -241,7 +241,7 @@ pub fn usual(run: &MeshRun) -> Vec<Quantity> {
             all.push(Quantity {
                 name: column.replace("_impulse_", "_late_force_"),
                 column: column.clone(),
-                when: When::LateRate,
+                when: QuantityTime::LateRate,
             });
         }
     }
@@ -275,9 +275,12 @@ mod tests {
     #[test]
     fn a_quantity_is_a_name_a_column_and_a_time() {
         let found = Quantity::parse("tip=tip_uy@end").expect("a quantity");
-        assert_eq!((found.name.as_str(), found.when), ("tip", When::End));
+        assert_eq!(
+            (found.name.as_str(), found.when),
+            ("tip", QuantityTime::End)
+        );
         let found = Quantity::parse("push=body1_contact_fx@0.25").expect("a quantity");
-        assert_eq!((found.unit(), found.when), ("N", When::At(0.25)));
+        assert_eq!((found.unit(), found.when), ("N", QuantityTime::At(0.25)));
         for wrong in [
             "tip",
             "tip=tip_uy",

@@ -1,6 +1,6 @@
 //! A refinement as rows of a record: a sample for each mesh, an aggregate for each quantity.
 
-use super::judge::{FieldBar, Judged, Refined};
+use super::judge::{FieldBar, QuantityBar, SceneBars};
 use super::run::MeshRun;
 use super::work::Runs;
 use crate::record::row::VERDICT;
@@ -13,7 +13,7 @@ pub const BAR: &str = "bar";
 /// The history of the column of a quantity on the finest mesh with its bars, as a table in CSV: time, value and half-width of
 /// the bar, empty where none is claimed.
 #[must_use]
-pub fn history(refined: &Refined, judged: &Judged, runs: &Runs) -> Option<String> {
+pub fn history(refined: &SceneBars, judged: &QuantityBar, runs: &Runs) -> Option<String> {
     let column = &judged.quantity.column;
     let values = runs.meshes.last()?.columns.get(column)?;
     let claimed = judged.bar().is_some();
@@ -35,7 +35,7 @@ pub fn push(
     record: &mut Record,
     scene: &str,
     runs: &Runs,
-    refined: Option<&Refined>,
+    refined: Option<&SceneBars>,
     threads: usize,
 ) {
     for (k, run) in runs.meshes.iter().enumerate() {
@@ -80,7 +80,7 @@ fn sample(name: &str, run: &MeshRun, threads: usize) -> Row {
     row
 }
 
-fn bar(scene: &str, refined: &Refined, judged: &Judged, runs: &Runs, threads: usize) -> Row {
+fn bar(scene: &str, refined: &SceneBars, judged: &QuantityBar, runs: &Runs, threads: usize) -> Row {
     let name = key(&judged.quantity.name);
     let mut row = Row::aggregate(format!("refine/{scene}/{name}"), BAR, threads);
     row.label(VERDICT, judged.verdict());

@@ -101,9 +101,9 @@ pub fn run(
     let settled =
         stopwatch.time(|| stages::run(earlier, &scene, &options, &|done| go(done / stages)));
     let (start, fault, interrupted) = match settled? {
-        stages::Ended::At(start) => (start, None, false),
-        stages::Ended::Failed(fault) => (None, Some(fault), false),
-        stages::Ended::Interrupted => (None, None, true),
+        stages::StagesEnd::At(start) => (start, None, false),
+        stages::StagesEnd::Failed(fault) => (None, Some(fault), false),
+        stages::StagesEnd::Interrupted => (None, None, true),
     };
     if fault.is_some() || interrupted {
         return Ok(MeshRun::without_steps(
@@ -237,7 +237,7 @@ struct Recorder {
     points: Vec<(String, Option<MaterialPoint>)>,
     extents: Extents,
     /// Sets and surfaces with contact, each with its impulse so far \[N s\].
-    impulses: Vec<(Touched, Vector)>,
+    impulses: Vec<(ContactSide, Vector)>,
     names: Vec<String>,
     columns: Vec<Vec<f64>>,
     times: Vec<f64>,
@@ -246,7 +246,7 @@ struct Recorder {
 
 /// A body or a rigid surface that contact pushes, by its place.
 #[derive(Clone, Copy)]
-enum Touched {
+enum ContactSide {
     Body(usize),
     Surface(usize),
 }
@@ -268,15 +268,15 @@ impl Recorder {
         let bodies = 0..simulation.sets().len();
         let touched = bodies.filter(|set| simulation.has_contact(*set));
         let surfaces = 0..simulation.scene().surfaces.len();
-        let impulses: Vec<(Touched, Vector)> = touched
-            .map(Touched::Body)
-            .chain(surfaces.map(Touched::Surface))
+        let impulses: Vec<(ContactSide, Vector)> = touched
+            .map(ContactSide::Body)
+            .chain(surfaces.map(ContactSide::Surface))
             .map(|touched| (touched, [0.0; 3]))
             .collect();
         for (touched, _) in &impulses {
             let of = match touched {
-                Touched::Body(set) => format!("body{}", simulation.body(*set).id),
-                Touched::Surface(surface) => format!("surface{surface}"),
+                ContactSide::Body(set) => format!("body{}", simulation.body(*set).id),
+                ContactSide::Surface(surface) => format!("surface{surface}"),
             };
             names.extend(letters.iter().map(|l| format!("{of}_impulse_{l}")));
         }
@@ -298,8 +298,8 @@ impl Recorder {
     fn add_impulses(&mut self, simulation: &Simulation, dt: f64) {
         for (touched, impulse) in &mut self.impulses {
             let force = match touched {
-                Touched::Body(set) => simulation.contact_force(*set),
-                Touched::Surface(surface) => simulation.surface_force(*surface),
+                ContactSide::Body(set) => simulation.contact_force(*set),
+                ContactSide::Surface(surface) => simulation.surface_force(*surface),
             };
             *impulse = std::array::from_fn(|axis| impulse[axis] + dt * force[axis]);
         }

@@ -6,7 +6,7 @@ use proctor_scene::simulation::{Options, SetupError, StartState};
 use std::sync::Arc;
 
 /// The end of the stages.
-pub enum Ended {
+pub enum StagesEnd {
     /// The state from which the judged scene begins; `None` where there are no stages before it.
     At(Option<Arc<StartState>>),
     /// The reason why one of them failed.
@@ -25,7 +25,7 @@ pub fn run(
     judged: &Scene,
     options: &Options,
     go: &(dyn Fn(f64) -> bool + Sync),
-) -> Result<Ended, Box<SetupError>> {
+) -> Result<StagesEnd, Box<SetupError>> {
     let mut options = options.clone();
     for (number, scene) in earlier.iter().enumerate() {
         let next = earlier.get(number + 1).unwrap_or(judged);
@@ -50,7 +50,7 @@ pub fn run(
                 return Ok(failed(scene, &error));
             }
             if !goes_on {
-                return Ok(Ended::Interrupted);
+                return Ok(StagesEnd::Interrupted);
             }
         }
         options.start = match run.state(keeps) {
@@ -58,9 +58,9 @@ pub fn run(
             Err(error) => return Ok(failed(scene, &error)),
         };
     }
-    Ok(Ended::At(options.start))
+    Ok(StagesEnd::At(options.start))
 }
 
-fn failed(scene: &Scene, error: &RunError) -> Ended {
-    Ended::Failed(format!("{}: {error}", scene.name))
+fn failed(scene: &Scene, error: &RunError) -> StagesEnd {
+    StagesEnd::Failed(format!("{}: {error}", scene.name))
 }

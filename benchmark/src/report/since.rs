@@ -2,7 +2,7 @@
 
 use super::gates;
 use super::html::{Pictures, Section, Table, folded, paragraph};
-use crate::judge::change::{CASE, Change, FAILURE, Found, Moved};
+use crate::judge::change::{CASE, Change, Direction, FAILURE, RecordedValue};
 use crate::judge::{self, CaseVerdict, Comparison, Finding, Rules, Verdict};
 use crate::record::details::Figure;
 use crate::record::row::{GATE_BOUND, GATE_VALUE};
@@ -51,18 +51,18 @@ impl<'a> Line<'a> {
     }
 
     /// What was found, relative errors in per cent.
-    fn written(&self, found: &Found) -> String {
+    fn written(&self, found: &RecordedValue) -> String {
         let name = self.finding.case.name.as_str();
         match (self.change.meaning, found) {
-            (_, Found::Nothing) => "none".to_owned(),
-            (_, Found::Word(word)) => word.clone(),
-            (Meaning::Error, Found::Number(value)) => percent(*value),
-            (Meaning::GateValue | Meaning::GateBound, Found::Number(value))
+            (_, RecordedValue::Nothing) => "none".to_owned(),
+            (_, RecordedValue::Word(word)) => word.clone(),
+            (Meaning::Error, RecordedValue::Number(value)) => percent(*value),
+            (Meaning::GateValue | Meaning::GateBound, RecordedValue::Number(value))
                 if !name.starts_with("stability") =>
             {
                 gates::value_of_case(name, *value)
             }
-            (_, Found::Number(value)) => number(*value),
+            (_, RecordedValue::Number(value)) => number(*value),
         }
     }
 
@@ -116,7 +116,7 @@ impl<'a> Since<'a> {
     }
 
     /// What moved that way, the largest change first; what has no size comes before all else.
-    fn moved(&self, way: Moved) -> Vec<Line<'_>> {
+    fn moved(&self, way: Direction) -> Vec<Line<'_>> {
         let findings = self.comparison.findings.iter();
         let mut lines: Vec<Line<'_>> = findings
             .flat_map(|finding| {
@@ -284,8 +284,8 @@ pub fn panel(since: Option<&Since<'_>>) -> String {
     };
     let mut html = paragraph(&show::verdict_line(&since.comparison));
     for (caption, way) in [
-        ("Largest losses", Moved::Worse),
-        ("Largest gains", Moved::Better),
+        ("Largest losses", Direction::Worse),
+        ("Largest gains", Direction::Better),
     ] {
         let lines = since.moved(way);
         let mut table = Table::new(caption, &["case and number", "before, now", "change"]);
@@ -328,13 +328,13 @@ pub fn section(since: &Since<'_>, pictures: &mut Pictures) -> Section {
             "Regressions, the largest first",
             "What got worse",
             "worse by, over what it was",
-            Moved::Worse,
+            Direction::Worse,
         ),
         (
             "Gains, the largest first",
             "What got better",
             "better by, over what it was",
-            Moved::Better,
+            Direction::Better,
         ),
     ] {
         let lines = since.moved(way);

@@ -1,7 +1,7 @@
 //! A case that was run, as text.
 
 use super::{Table, grouped, number, percent, seconds};
-use crate::suite::{Ran, RanRung};
+use crate::suite::{CaseRun, RanRung};
 use proctor_verification::case::{Gate, Quantity, Relation};
 use std::io::{self, Write};
 
@@ -12,7 +12,7 @@ const SHOWN_ERRORS: usize = 3;
 ///
 /// # Errors
 /// If `out` cannot be written.
-pub fn runs(ran: &Ran, out: &mut dyn Write) -> io::Result<()> {
+pub fn runs(ran: &CaseRun, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "{}: {}", ran.case.name(), ran.case.question())?;
     let mut rest = &ran.rungs[..];
     while let Some(first) = rest.first() {
@@ -37,7 +37,7 @@ pub fn runs(ran: &Ran, out: &mut dyn Write) -> io::Result<()> {
 ///
 /// # Errors
 /// If `out` cannot be written.
-pub fn tables(ran: &Ran, out: &mut dyn Write) -> io::Result<()> {
+pub fn tables(ran: &CaseRun, out: &mut dyn Write) -> io::Result<()> {
     for (title, table) in &ran.verdict.tables {
         writeln!(out, "  {title}: errors and observed orders")?;
         for line in table.to_string().lines() {
@@ -52,7 +52,7 @@ pub fn tables(ran: &Ran, out: &mut dyn Write) -> io::Result<()> {
 ///
 /// # Errors
 /// If `out` cannot be written.
-pub fn gates(ran: &Ran, reasons: bool, out: &mut dyn Write) -> io::Result<()> {
+pub fn gates(ran: &CaseRun, reasons: bool, out: &mut dyn Write) -> io::Result<()> {
     for gate in &ran.verdict.gates {
         writeln!(out, "  {}", gate_line(gate))?;
         if reasons || !gate.passed() {
@@ -69,7 +69,7 @@ pub fn gates(ran: &Ran, reasons: bool, out: &mut dyn Write) -> io::Result<()> {
 ///
 /// # Errors
 /// If `out` cannot be written.
-pub fn failed_gates(ran: &Ran, out: &mut dyn Write) -> io::Result<()> {
+pub fn failed_gates(ran: &CaseRun, out: &mut dyn Write) -> io::Result<()> {
     for gate in ran.verdict.gates.iter().filter(|gate| !gate.passed()) {
         writeln!(out, "  {}\n        {}", gate_line(gate), gate.reason)?;
     }
@@ -83,7 +83,7 @@ pub fn failed_gates(ran: &Ran, out: &mut dyn Write) -> io::Result<()> {
 ///
 /// # Errors
 /// If `out` cannot be written.
-pub fn for_the_record(ran: &Ran, out: &mut dyn Write) -> io::Result<()> {
+pub fn for_the_record(ran: &CaseRun, out: &mut dyn Write) -> io::Result<()> {
     if ran.verdict.for_the_record.is_empty() {
         return Ok(());
     }

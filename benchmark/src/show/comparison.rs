@@ -1,7 +1,7 @@
 //! A comparison of two records, as text and as Markdown.
 
 use super::{Table, columns, paragraph, shortened};
-use crate::judge::change::Moved;
+use crate::judge::change::Direction;
 use crate::judge::{CaseVerdict, Comparison, Finding, Tally, Verdict};
 use crate::record::{CaseKey, Record};
 use std::fmt::Write as _;
@@ -301,7 +301,7 @@ pub(crate) fn verdict_line(comparison: &Comparison) -> String {
         .iter()
         .flat_map(|finding| &finding.changes);
     match changes
-        .filter(|change| change.moved == Moved::Accepted)
+        .filter(|change| change.moved == Direction::Accepted)
         .count()
     {
         0 => {}

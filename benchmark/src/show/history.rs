@@ -3,7 +3,7 @@
 use super::{Table, filled, in_words, number, shortened};
 use crate::history::divisive::CHANCE;
 use crate::history::{ChangePoint, History, Point, Series};
-use crate::judge::change::Moved;
+use crate::judge::change::Direction;
 use crate::record::Meaning;
 use crate::show::{percent, seconds};
 use std::collections::HashMap;
@@ -41,9 +41,9 @@ impl Tally {
         for change in changes {
             let tally = &mut all[change.at];
             match change.moved {
-                Moved::Worse => tally.worse += 1,
-                Moved::Better => tally.better += 1,
-                Moved::Close => tally.close += 1,
+                Direction::Worse => tally.worse += 1,
+                Direction::Better => tally.better += 1,
+                Direction::Close => tally.close += 1,
                 _ => tally.moved += 1,
             }
         }
@@ -111,8 +111,8 @@ pub struct Largest {
 #[must_use]
 pub fn largest(history: &History, changes: &[ChangePoint]) -> Vec<Largest> {
     let rank = |change: &ChangePoint| match change.moved {
-        Moved::Worse => 0,
-        Moved::Better => 1,
+        Direction::Worse => 0,
+        Direction::Better => 1,
         _ => 2,
     };
     let size = |change: &ChangePoint| {
@@ -120,7 +120,7 @@ pub fn largest(history: &History, changes: &[ChangePoint]) -> Vec<Largest> {
     };
     let mut all: Vec<&ChangePoint> = changes
         .iter()
-        .filter(|change| change.moved != Moved::Close)
+        .filter(|change| change.moved != Direction::Close)
         .collect();
     all.sort_by(|a, b| rank(a).cmp(&rank(b)).then(size(b).total_cmp(&size(a))));
     let mut first: HashMap<(&str, usize, u8), usize> = HashMap::new();
@@ -221,9 +221,9 @@ fn line(history: &History, found: &Largest, out: &mut dyn Write) -> io::Result<(
     let series = &history.series[found.series];
     let point = &history.points[found.at];
     let word = match found.moved {
-        Moved::Worse => "worse",
-        Moved::Better => "better",
-        Moved::Close => "close",
+        Direction::Worse => "worse",
+        Direction::Better => "better",
+        Direction::Close => "close",
         _ => "moved",
     };
     let mut values = format!(

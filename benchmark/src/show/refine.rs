@@ -2,8 +2,8 @@
 
 use super::paint::{Mark, Paint};
 use super::{number, seconds, shortened};
-use crate::refine::judge::{Claim, FieldBar, Judged, Refined};
-use crate::refine::quantity::When;
+use crate::refine::judge::{Claim, FieldBar, QuantityBar, SceneBars};
+use crate::refine::quantity::QuantityTime;
 use crate::refine::work::Runs;
 use proctor_verification::refine::Verdict;
 use std::io::{self, Write};
@@ -17,7 +17,12 @@ const DIGITS: i32 = 2;
 ///
 /// # Errors
 /// If `out` cannot be written.
-pub fn table(refined: &Refined, runs: &Runs, paint: Paint, out: &mut dyn Write) -> io::Result<()> {
+pub fn table(
+    refined: &SceneBars,
+    runs: &Runs,
+    paint: Paint,
+    out: &mut dyn Write,
+) -> io::Result<()> {
     let findings = findings(refined, runs, paint);
     let (last, first) = findings
         .split_last()
@@ -49,7 +54,7 @@ pub fn table(refined: &Refined, runs: &Runs, paint: Paint, out: &mut dyn Write) 
 
 /// Lines about the meshes, the orders of the energies, the effect of the mesh's place, and last the cost.
 #[must_use]
-pub fn findings(refined: &Refined, runs: &Runs, paint: Paint) -> Vec<String> {
+pub fn findings(refined: &SceneBars, runs: &Runs, paint: Paint) -> Vec<String> {
     let cells: Vec<String> = runs.meshes.iter().map(|run| number(run.cell)).collect();
     let orders = refined.gates.map(|gate| match gate.order {
         Some(order) => one_decimal(order),
@@ -74,7 +79,7 @@ pub fn findings(refined: &Refined, runs: &Runs, paint: Paint) -> Vec<String> {
         });
     }
     if !runs.moved.is_empty() {
-        let ratios = refined.judged.iter().filter_map(Judged::place_ratio);
+        let ratios = refined.judged.iter().filter_map(QuantityBar::place_ratio);
         let mut ratios: Vec<f64> = ratios.collect();
         ratios.sort_by(f64::total_cmp);
         let middle = ratios.get(ratios.len() / 2).copied().unwrap_or(0.0);
@@ -99,8 +104,8 @@ pub fn findings(refined: &Refined, runs: &Runs, paint: Paint) -> Vec<String> {
 
 /// Several scenes in one line: of each how many bars it has, and the first of them.
 #[must_use]
-pub fn short(all: &[&Refined], paint: Paint) -> String {
-    let of = |refined: &&Refined| {
+pub fn short(all: &[&SceneBars], paint: Paint) -> String {
+    let of = |refined: &&SceneBars| {
         let bars = || {
             refined
                 .judged
@@ -135,7 +140,7 @@ pub fn short(all: &[&Refined], paint: Paint) -> String {
 
 /// A line of cells for each quantity; the headings are the first.
 #[must_use]
-pub fn cells(refined: &Refined) -> Vec<Vec<String>> {
+pub fn cells(refined: &SceneBars) -> Vec<Vec<String>> {
     let end = refined.times.last().copied().unwrap_or(0.0);
     let at = format!("at {} s", number(end));
     let head = [
@@ -189,7 +194,7 @@ fn cells_of_field(field: &FieldBar) -> Vec<String> {
 
 /// A quantity: symbol, name, value, bar, the bar over its change, order, verdict with the cells for an error of 1 %, and
 /// what else there is to know where it has no bar.
-fn cells_of(judged: &Judged, finest: f64) -> Vec<String> {
+fn cells_of(judged: &QuantityBar, finest: f64) -> Vec<String> {
     let quantity = &judged.quantity;
     let unit = quantity.unit();
     let mark = match judged.claim {
@@ -198,7 +203,7 @@ fn cells_of(judged: &Judged, finest: f64) -> Vec<String> {
         _ => Mark::Failed,
     };
     let name = match quantity.when {
-        When::End | When::LateRate => quantity.name.clone(),
+        QuantityTime::End | QuantityTime::LateRate => quantity.name.clone(),
         when => format!("{}, {when}", quantity.name),
     };
     let order = (judged.estimate.order)

@@ -89,14 +89,14 @@ pub const HEADINGS: [&str; 6] = [
 ];
 
 /// Two runs as text.
-pub struct Compared<'a> {
+pub struct RunPair<'a> {
     /// The two runs.
     pub runs: &'a [RunFolder],
     /// Their difference.
     pub comparison: &'a RunComparison,
 }
 
-impl fmt::Display for Compared<'_> {
+impl fmt::Display for RunPair<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [first, second] = self.runs else {
             return Ok(());

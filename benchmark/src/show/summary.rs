@@ -5,7 +5,7 @@ use super::{case as full, columns, filled, in_words, percent, seconds};
 use crate::measure;
 use crate::record::details::{GateDetail, gate};
 use crate::record::{CaseState, Record};
-use crate::suite::Ran;
+use crate::suite::CaseRun;
 use proctor_verification::case::{Case, Size};
 use std::fmt::Write as _;
 use std::io::{self, Write};
@@ -60,7 +60,7 @@ impl Lines {
     ///
     /// # Errors
     /// If `out` cannot be written.
-    pub fn case(&self, ran: &Ran, out: &mut dyn Write) -> io::Result<()> {
+    pub fn case(&self, ran: &CaseRun, out: &mut dyn Write) -> io::Result<()> {
         let gates: Vec<GateDetail> = ran.verdict.gates.iter().map(gate).collect();
         let held = gates.iter().filter(|gate| gate.passed).count();
         let tightest = gates.iter().map(GateDetail::used).reduce(f64::max);
@@ -100,10 +100,10 @@ impl Lines {
     /// If `out` cannot be written.
     pub fn far<'a>(
         &self,
-        cases: impl Iterator<Item = &'a Ran>,
+        cases: impl Iterator<Item = &'a CaseRun>,
         out: &mut dyn Write,
     ) -> io::Result<()> {
-        let far: Vec<&Ran> = cases.filter(|ran| is_far(ran)).collect();
+        let far: Vec<&CaseRun> = cases.filter(|ran| is_far(ran)).collect();
         if far.is_empty() {
             return Ok(());
         }
@@ -138,7 +138,7 @@ impl Lines {
 
 /// True for a case that holds, every gate of it within three quarters of its bound.
 #[must_use]
-pub fn is_far(ran: &Ran) -> bool {
+pub fn is_far(ran: &CaseRun) -> bool {
     let mut gates = ran.verdict.gates.iter().map(gate);
     ran.passed() && gates.all(|gate| gate.used() <= FAR)
 }
@@ -156,7 +156,7 @@ pub(crate) fn share(used: f64) -> String {
 
 /// The first error of the finest run of the first problem that has one, of several as fine ones the last: what the case is
 /// about.
-fn headline(ran: &Ran) -> Option<(&'static str, f64)> {
+fn headline(ran: &CaseRun) -> Option<(&'static str, f64)> {
     let error = |number: usize| {
         let solved = ran.rungs.get(number)?.solved.as_ref().ok()?;
         let found = solved.quantities.iter().find(|q| q.error.is_some())?;
@@ -173,14 +173,14 @@ fn headline(ran: &Ran) -> Option<(&'static str, f64)> {
 
 /// What an earlier record holds of cases that are not run again.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Kept {
+pub struct EarlierCases {
     /// Cases all of which holds.
     pub cases: usize,
     /// Their gates.
     pub gates: usize,
 }
 
-impl Kept {
+impl EarlierCases {
     /// What a record holds of cases on the ladders of that size.
     #[must_use]
     pub fn of(record: &Record, cases: &[&'static Case], size: Size) -> Self {
@@ -197,9 +197,9 @@ impl Kept {
 /// What came of all cases.
 pub struct Verdict<'a> {
     /// Those that were run to their end.
-    pub cases: &'a [Ran],
+    pub cases: &'a [CaseRun],
     /// Those that were not run again.
-    pub kept: Kept,
+    pub kept: EarlierCases,
     /// How many were asked for, kept ones too.
     pub asked: usize,
     /// What else failed, by name.
@@ -222,7 +222,7 @@ impl Verdict<'_> {
     }
 
     fn passed(&self) -> bool {
-        self.also_failed.is_empty() && self.cases.iter().all(Ran::passed)
+        self.also_failed.is_empty() && self.cases.iter().all(CaseRun::passed)
     }
 
     /// The verdict in one line. What was interrupted never passes.
@@ -298,9 +298,9 @@ mod tests {
     use super::*;
     use proctor_verification::case::{self, Gate, Verdict as CaseVerdict};
 
-    fn ran(number: usize, found: f64) -> Ran {
+    fn ran(number: usize, found: f64) -> CaseRun {
         let gate = Gate::at_most("error".to_owned(), found, 0.01, "a reason");
-        Ran {
+        CaseRun {
             case: case::all()[number],
             rungs: vec![],
             verdict: CaseVerdict {
@@ -311,14 +311,14 @@ mod tests {
     }
 
     fn said(
-        cases: &[Ran],
+        cases: &[CaseRun],
         asked: usize,
         also_failed: &[&'static str],
         interrupted: bool,
     ) -> String {
         let verdict = Verdict {
             cases,
-            kept: Kept::default(),
+            kept: EarlierCases::default(),
             asked,
             also_failed,
             worse: false,

@@ -1,7 +1,7 @@
 //! The stability map as a record stores it beside its flat rows, for the picture and the page.
 
 use super::extreme::ExtremeDetail;
-use super::run::{Done, Outcome};
+use super::run::{JobResult, Outcome};
 use crate::record::details::{Details, GateDetail, gate};
 use proctor_verification::stability::block::Place;
 use proctor_verification::stability::map::Entry;
@@ -109,7 +109,7 @@ fn ruled_by(entry: &Entry) -> String {
 
 impl Details {
     /// Adds what was found.
-    pub fn push_stability(&mut self, done: &Done) {
+    pub fn push_stability(&mut self, done: &JobResult) {
         let detail = self.stability.get_or_insert_default();
         detail.gates.extend(done.gates().iter().map(gate));
         match &done.outcome {

@@ -4,7 +4,7 @@ use super::side_by_side::side_by_side;
 use crate::measure::{Spent, Stopwatch};
 use crate::record::details::{Details, GateDetail, gate};
 use crate::record::{Record, Row};
-use proctor_verification::stability::extreme::{Ending, Extreme, Finding, Unexpected};
+use proctor_verification::stability::extreme::{Ending, Extreme, Finding, RowFault};
 use serde::{Deserialize, Serialize};
 use std::any::Any;
 use std::panic::catch_unwind;
@@ -13,16 +13,16 @@ use std::panic::catch_unwind;
 pub(crate) const ROWS: &str = "stability/extreme/";
 
 /// A row that was run.
-pub struct Tried {
+pub struct RowResult {
     /// Which.
     pub row: &'static Extreme,
     /// What it gave.
-    pub outcome: Result<Finding, Unexpected>,
+    pub outcome: Result<Finding, RowFault>,
     /// Its time.
     pub spent: Spent,
 }
 
-impl Tried {
+impl RowResult {
     /// How it ended.
     #[must_use]
     pub fn ending(&self) -> Ending {
@@ -38,15 +38,15 @@ pub fn try_all(
     rows: &[&'static Extreme],
     workers: usize,
     go: &(dyn Fn() -> bool + Sync),
-    each: impl FnMut(Tried),
+    each: impl FnMut(RowResult),
 ) {
     let order: Vec<usize> = (0..rows.len()).collect();
     let work = |row: &&'static Extreme| {
         let mut stopwatch = Stopwatch::default();
         let outcome = stopwatch.time_thread(|| {
-            catch_unwind(row.judge).unwrap_or_else(|panic| Err(Unexpected(said(&*panic))))
+            catch_unwind(row.judge).unwrap_or_else(|panic| Err(RowFault(said(&*panic))))
         });
-        Tried {
+        RowResult {
             row,
             outcome,
             spent: stopwatch.spent,
@@ -98,8 +98,8 @@ impl ExtremeDetail {
     }
 }
 
-impl From<&Tried> for ExtremeDetail {
-    fn from(tried: &Tried) -> Self {
+impl From<&RowResult> for ExtremeDetail {
+    fn from(tried: &RowResult) -> Self {
         let row = tried.row;
         let ending = tried.ending();
         let finding = tried.outcome.as_ref().ok().cloned().unwrap_or_default();
@@ -123,7 +123,7 @@ impl From<&Tried> for ExtremeDetail {
 
 impl Details {
     /// Adds a row of the stiff and extreme scenes.
-    fn push_extreme(&mut self, tried: &Tried) {
+    fn push_extreme(&mut self, tried: &RowResult) {
         let detail = self.stability.get_or_insert_default();
         detail.extreme.push(tried.into());
     }
@@ -131,7 +131,7 @@ impl Details {
 
 impl Record {
     /// Adds a row for one of the stiff and extreme scenes, and one per gate.
-    pub fn push_extreme(&mut self, tried: &Tried) {
+    pub fn push_extreme(&mut self, tried: &RowResult) {
         let name = format!("{ROWS}{}", tried.row.name);
         let mut row = Row::sample(&name, 0, 1).timed(tried.spent);
         row.label("ending", tried.ending().word());
@@ -208,7 +208,7 @@ mod tests {
             reason: String::new(),
             passed: true,
         };
-        let mut detail = ExtremeDetail::from(&Tried {
+        let mut detail = ExtremeDetail::from(&RowResult {
             row: &ROWS[1],
             outcome: Ok(Finding::default()),
             spent: Spent::default(),

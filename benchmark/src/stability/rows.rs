@@ -1,8 +1,8 @@
 //! Rows of a record.
 
-use super::run::{Done, Job, Outcome};
+use super::run::{Job, JobResult, Outcome};
 use crate::record::{Record, Row};
-use proctor_verification::stability::measured::Measured;
+use proctor_verification::stability::measured::MeasuredLimit;
 
 /// Name of its rows.
 fn name(job: &Job) -> String {
@@ -23,7 +23,7 @@ fn name(job: &Job) -> String {
     }
 }
 
-fn measured(row: &mut Row, prefix: &str, measured: &Measured) {
+fn measured(row: &mut Row, prefix: &str, measured: &MeasuredLimit) {
     // A side that was not found is left out and said in words.
     for (side, value) in [("stable", measured.stable), ("unstable", measured.unstable)] {
         match value {
@@ -39,7 +39,7 @@ fn measured(row: &mut Row, prefix: &str, measured: &Measured) {
 
 impl Record {
     /// Adds a row for what was found, and one per gate.
-    pub fn push_stability(&mut self, done: &Done) {
+    pub fn push_stability(&mut self, done: &JobResult) {
         let name = name(&done.job);
         let mut row = Row::sample(name, 0, 1).timed(done.spent);
         let method = done.job.method();

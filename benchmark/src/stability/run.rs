@@ -12,7 +12,7 @@ use proctor_verification::stability::{StabilityError, table};
 
 /// How much is asked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Asked {
+pub enum MapRequest {
     /// The plane with two particles per cell and axis, and the default method where nothing is linear: for the main job.
     Short,
     /// The plane; short runs where nothing is linear.
@@ -42,7 +42,7 @@ pub enum Outcome {
 }
 
 /// A job that was done.
-pub struct Done {
+pub struct JobResult {
     /// Which.
     pub job: Job,
     /// What it gave.
@@ -80,7 +80,7 @@ impl Job {
     }
 }
 
-impl Done {
+impl JobResult {
     /// What must hold of it; none where it failed.
     #[must_use]
     pub fn gates(&self) -> Vec<Gate> {
@@ -103,19 +103,19 @@ impl Done {
 /// The jobs of what is asked: the map if `map` says so, and these scenes; of these schemes alone.
 #[must_use]
 pub fn jobs(
-    asked: Asked,
+    asked: MapRequest,
     map: bool,
     scenes: &[&'static Nonlinear],
     schemes: &[StressScheme],
 ) -> Vec<Job> {
     let size = match asked {
-        Asked::Short | Asked::Quick => Size::Quick,
-        Asked::Full | Asked::Table => Size::Full,
+        MapRequest::Short | MapRequest::Quick => Size::Quick,
+        MapRequest::Full | MapRequest::Table => Size::Full,
     };
     let wanted = |choice: &Choice| match asked {
-        Asked::Short => choice.particles_per_cell == 2,
-        Asked::Quick | Asked::Full => true,
-        Asked::Table => table::needs(choice),
+        MapRequest::Short => choice.particles_per_cell == 2,
+        MapRequest::Quick | MapRequest::Full => true,
+        MapRequest::Table => table::needs(choice),
     };
     let mut all: Vec<Job> = vec![];
     if map {
@@ -123,7 +123,7 @@ pub fn jobs(
         all.extend(choices.filter(wanted).map(Job::Entry));
     }
     let methods: &[Method] = match asked {
-        Asked::Short => &nonlinear::METHODS[..1],
+        MapRequest::Short => &nonlinear::METHODS[..1],
         _ => &nonlinear::METHODS,
     };
     for scene in scenes {
@@ -137,7 +137,12 @@ pub fn jobs(
 
 /// Does jobs, `workers` at a time and each on one thread, as long as `go` says so before each, and hands them to `each` in
 /// their order.
-pub fn run(jobs: &[Job], workers: usize, go: &(dyn Fn() -> bool + Sync), each: impl FnMut(Done)) {
+pub fn run(
+    jobs: &[Job],
+    workers: usize,
+    go: &(dyn Fn() -> bool + Sync),
+    each: impl FnMut(JobResult),
+) {
     // The longest begin first: those in space with the most particles.
     let mut order: Vec<usize> = (0..jobs.len()).collect();
     order.sort_by_key(|&k| match jobs[k] {
@@ -149,7 +154,7 @@ pub fn run(jobs: &[Job], workers: usize, go: &(dyn Fn() -> bool + Sync), each: i
     let work = |job: &Job| {
         let mut stopwatch = Stopwatch::default();
         let outcome = stopwatch.time_thread(|| job.solve());
-        Done {
+        JobResult {
             job: *job,
             outcome,
             spent: stopwatch.spent,

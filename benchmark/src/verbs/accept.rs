@@ -1,7 +1,7 @@
 //! `proctor accept`: changes of a record, taken into the ledger with a reason.
 
 use crate::exit::{Failure, Outcome};
-use crate::judge::change::{Change, Moved};
+use crate::judge::change::{Change, Direction};
 use crate::judge::ledger::{Ledger, Line};
 use crate::judge::{self, Rules};
 use crate::record::Record;
@@ -74,7 +74,7 @@ impl Accept {
         for finding in &comparison.findings {
             let case = finding.case.to_string();
             for change in &finding.changes {
-                if change.moved == Moved::Same {
+                if change.moved == Direction::Same {
                     continue;
                 }
                 let line = ledger.line(ladder, &case, change, &self.because, &commit);
@@ -106,7 +106,7 @@ impl Accept {
 
     /// Whether a change is for the worse and was not asked for.
     fn asks(&self, ledger: &Ledger, ladder: &str, case: &str, change: &Change) -> bool {
-        let worse = change.moved == Moved::Missing || ledger.worse(ladder, case, change);
+        let worse = change.moved == Direction::Missing || ledger.worse(ladder, case, change);
         worse && !self.worse
     }
 }

@@ -4,7 +4,7 @@ use super::folder::Folder;
 use super::names;
 use super::settings::Settings;
 use crate::arena::{self, Board, METHODS, Solvers, speed};
-use crate::bench::config::{Asked, Config, Method};
+use crate::bench::config::{CommandLineChoices, Config, Method};
 use crate::exit::{Failure, Outcome};
 use crate::interrupt::Interrupt;
 use crate::precision::Effort;
@@ -165,9 +165,9 @@ impl Arena {
                 format!("{name}: no such file; accepted: a configuration with `executables`");
             return Err(Failure::BadInput(message));
         }
-        let asked = Asked {
+        let asked = CommandLineChoices {
             quick: self.quick,
-            ..Asked::default()
+            ..CommandLineChoices::default()
         };
         let mut config = Config::read(&self.config, &asked).map_err(Failure::bad_input)?;
         for warning in &config.warnings {

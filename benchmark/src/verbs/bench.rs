@@ -3,7 +3,7 @@
 use super::folder::Folder;
 use super::settings::{Lanes, OPTION, bounded};
 use crate::bench::Session;
-use crate::bench::config::{Asked, Config, FILE};
+use crate::bench::config::{CommandLineChoices, Config, FILE};
 use crate::bench::counted::Earlier;
 use crate::bench::tables::Report;
 use crate::exit::{Failure, Outcome};
@@ -105,7 +105,7 @@ impl Bench {
 
     /// The configuration, with what was said of it on standard error.
     fn config(&self) -> Result<Config, Failure> {
-        let asked = Asked {
+        let asked = CommandLineChoices {
             threads: self.threads.iter().map(|n| n.get()).collect(),
             repetitions: self.repetitions.map(|n| n as usize),
             quick: self.quick,

@@ -6,7 +6,7 @@ use crate::judge::{self, Rules, Verdict};
 use crate::record::Record;
 use crate::runs::{RunComparison, RunFolder, is_run};
 use crate::show::comparison as show;
-use crate::show::runs::Compared;
+use crate::show::runs::RunPair;
 use clap::Args;
 use proctor_files::output::atomic;
 use std::io::Write;
@@ -111,7 +111,7 @@ impl Compare {
         let paths = [self.base.clone(), self.head.clone()];
         let runs = RunFolder::read_all(&paths, self.any_scene).map_err(Failure::BadInput)?;
         let comparison = RunComparison::new(&runs[0], &runs[1]);
-        let compared = Compared {
+        let compared = RunPair {
             runs: &runs,
             comparison: &comparison,
         };

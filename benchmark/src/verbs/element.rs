@@ -89,11 +89,11 @@ impl Element {
             Some(file) => Some(self.steps_of(file)?),
             None => None,
         };
-        let asked: Vec<Asked<'_>> = match &path {
-            Some(path) => vec![Asked::Table(path)],
+        let asked: Vec<PathRequest<'_>> = match &path {
+            Some(path) => vec![PathRequest::Table(path)],
             None => names::chosen(&self.tests, &Test::ALL, "test", Test::word)?
                 .into_iter()
-                .map(Asked::Test)
+                .map(PathRequest::Test)
                 .collect(),
         };
         let (scene, _) = scene(&self.scene)?;
@@ -167,7 +167,7 @@ impl Element {
     fn one(
         &self,
         material: &Material,
-        asked: Asked<'_>,
+        asked: PathRequest<'_>,
         out: &mut dyn Write,
     ) -> Result<bool, Failure> {
         let law = &material.law;
@@ -184,8 +184,8 @@ impl Element {
         writeln!(out, "{}", self.title(material, asked))?;
         write!(out, "{}", Self::table_of(&ran, material))?;
         let strength = match asked {
-            Asked::Test(test) => test.strength(law, self.pressure),
-            Asked::Table(_) => None,
+            PathRequest::Test(test) => test.strength(law, self.pressure),
+            PathRequest::Table(_) => None,
         };
         if let (Some(exact), Some(last)) = (strength, states.last()) {
             writeln!(
@@ -221,25 +221,25 @@ impl Element {
         Ok(ran.ended.is_ok())
     }
 
-    fn title(&self, material: &Material, asked: Asked<'_>) -> String {
+    fn title(&self, material: &Material, asked: PathRequest<'_>) -> String {
         let what = match asked {
-            Asked::Test(test) => format!("{} test", test.word()),
-            Asked::Table(_) => "path of the table".to_owned(),
+            PathRequest::Test(test) => format!("{} test", test.word()),
+            PathRequest::Table(_) => "path of the table".to_owned(),
         };
         let (name, law) = (&material.name, material.law.name());
         format!("{name} ({law}): {what} from {} Pa", number(self.pressure))
     }
 
     /// Goes the way that is asked.
-    fn take(&self, material: &Material, asked: Asked<'_>) -> Ran {
+    fn take(&self, material: &Material, asked: PathRequest<'_>) -> PathRun {
         let (law, density) = (&material.law, material.density);
         match asked {
-            Asked::Test(test) => {
+            PathRequest::Test(test) => {
                 let controls = test.controls(self.strain);
                 let dt = self.time / self.steps as f64;
                 let (states, ended) = run(law, density, self.pressure, &controls, self.steps, dt);
                 let share = |i: usize| i as f64 / self.steps as f64;
-                Ran {
+                PathRun {
                     at: (0..states.len()).map(|i| share(i) * self.strain).collect(),
                     of_table: false,
                     whole: self.steps,
@@ -247,9 +247,9 @@ impl Element {
                     ended,
                 }
             }
-            Asked::Table(path) => {
+            PathRequest::Table(path) => {
                 let (at, states, ended) = follow(law, density, self.pressure, path, self.steps);
-                Ran {
+                PathRun {
                     at,
                     of_table: true,
                     whole: self.steps * path.rows.len(),
@@ -260,7 +260,7 @@ impl Element {
         }
     }
 
-    fn table_of(ran: &Ran, material: &Material) -> Table {
+    fn table_of(ran: &PathRun, material: &Material) -> Table {
         let variables = names_of_variables(material);
         let first = if ran.of_table { "time (s)" } else { "strain" };
         let headings = [first, "p (Pa)", "q (Pa)", "volume"].map(str::to_owned);
@@ -289,9 +289,9 @@ impl Element {
     /// q and the volume strain over the strain, and the pressure of a fluid, each with the word of its file.
     fn curves(
         &self,
-        ran: &Ran,
+        ran: &PathRun,
         material: &Material,
-        asked: Asked<'_>,
+        asked: PathRequest<'_>,
     ) -> Vec<(&'static str, Curve)> {
         let (abscissa, scale) = if ran.of_table {
             ("time (s)", 1.0)
@@ -315,11 +315,11 @@ impl Element {
         let (pressure, rate) = (self.pressure, self.strain / self.time);
         let deviator = |strain| match asked {
             // The start is an isotropic pressure: where the path has a closed form, it begins without a difference of stresses.
-            Asked::Test(test) if strain == 0.0 => {
+            PathRequest::Test(test) if strain == 0.0 => {
                 exact_deviator(test, law, pressure, self.strain, rate).map(|_| 0.0)
             }
-            Asked::Test(test) => exact_deviator(test, law, pressure, strain, rate),
-            Asked::Table(_) => None,
+            PathRequest::Test(test) => exact_deviator(test, law, pressure, strain, rate),
+            PathRequest::Table(_) => None,
         };
         let volume = |state: &State| 100.0 * state.volume_strain();
         let mut curves = vec![
@@ -328,8 +328,8 @@ impl Element {
         ];
         if law.is_fluid() {
             let exact = |strain| match asked {
-                Asked::Test(test) => exact_pressure(test, law, pressure, strain),
-                Asked::Table(_) => None,
+                PathRequest::Test(test) => exact_pressure(test, law, pressure, strain),
+                PathRequest::Table(_) => None,
             };
             curves.push(("p", of("p (Pa)", &State::pressure, &exact)));
         }
@@ -339,12 +339,12 @@ impl Element {
 
 /// A way to go.
 #[derive(Clone, Copy)]
-enum Asked<'a> {
+enum PathRequest<'a> {
     Test(Test),
     Table(&'a Steps),
 }
 
-impl Asked<'_> {
+impl PathRequest<'_> {
     fn word(self) -> &'static str {
         match self {
             Self::Test(test) => test.word(),
@@ -354,7 +354,7 @@ impl Asked<'_> {
 }
 
 /// A way that was gone.
-struct Ran {
+struct PathRun {
     /// The strain of a test after each step, or the time of a table \[s\].
     at: Vec<f64>,
     of_table: bool,
@@ -379,7 +379,7 @@ fn file_name(material: &Material) -> String {
 }
 
 /// All states as a table.
-fn csv(ran: &Ran, material: &Material) -> String {
+fn csv(ran: &PathRun, material: &Material) -> String {
     let strains = COMPONENTS.map(|c| format!("strain_{c}"));
     let stresses = COMPONENTS.map(|c| format!("stress_{c}"));
     let rest = ["p", "q", "volume_ratio", "stored", "dissipated"].map(str::to_owned);

@@ -6,25 +6,25 @@ use super::Amount;
 use super::settings::processors;
 use super::stability::done as solve_stability;
 use crate::bench::Session;
-use crate::bench::config::{Asked, Config};
+use crate::bench::config::{CommandLineChoices, Config};
 use crate::bench::tables::Report;
 use crate::exit::{Failure, Outcome};
 use crate::interrupt::Interrupt;
 use crate::judge::Verdict as Judgement;
 use crate::precision::costs::Costs;
-use crate::precision::{Effort, Studied, run as study_run};
+use crate::precision::{CaseStudy, Effort, run as study_run};
 use crate::progress::{self, Whole, ladders};
 use crate::record::{BY_SCENE, Record};
-use crate::refine::judge::Refined;
+use crate::refine::judge::SceneBars;
 use crate::refine::kept::OF_MAIN_JOB;
 use crate::report::{self, Since};
 use crate::say::say;
 use crate::show::paint::Paint;
 use crate::show::refine as show_refined;
-use crate::show::summary::{Kept, Lines, Verdict, is_far};
+use crate::show::summary::{EarlierCases, Lines, Verdict, is_far};
 use crate::show::{case as full, precision as show_study, short, stability as show_stability};
-use crate::stability::{Asked as AskedOfStability, Done, jobs};
-use crate::suite::{self, Ran};
+use crate::stability::{JobResult, MapRequest, jobs};
+use crate::suite::{self, CaseRun};
 use before::Before;
 use proctor_files::output::atomic;
 use proctor_kernel::lanes::LaneChoice;
@@ -139,7 +139,7 @@ pub fn run(amount: Amount, out: &mut dyn Write) -> Result<Outcome, Failure> {
         .collect();
     let verdict = Verdict {
         cases: &all,
-        kept: Kept::default(),
+        kept: EarlierCases::default(),
         asked: case::all().len(),
         also_failed: &also,
         worse: since
@@ -204,7 +204,7 @@ fn keep_cases(record: &Record, folder: &Path) -> Result<(), Failure> {
 
 impl Job<'_> {
     /// Short ladders of all cases, as many at a time as there are processors, with the plans of their scenes.
-    fn verify(&mut self, options: &Options, record: &mut Record) -> Result<Vec<Ran>, Failure> {
+    fn verify(&mut self, options: &Options, record: &mut Record) -> Result<Vec<CaseRun>, Failure> {
         let workers = processors();
         let (amount, paint) = (self.amount, self.paint);
         let lines = Lines::new(paint, case::all().iter().map(|case| case.name()));
@@ -219,10 +219,10 @@ impl Job<'_> {
                 )
             })?;
         }
-        let mut all: Vec<Ran> = vec![];
+        let mut all: Vec<CaseRun> = vec![];
         let stop = self.stop.clone();
         let Self { whole, out, .. } = self;
-        let each = |ran: Ran| -> Result<(), Failure> {
+        let each = |ran: CaseRun| -> Result<(), Failure> {
             record.push_case(&ran, 1);
             // Of a case that was interrupted the verdict is about a part.
             if stop.raised() {
@@ -268,12 +268,12 @@ impl Job<'_> {
     /// The map of stability in short; whether all of it holds, and how many gates do and are there.
     fn stability(&mut self, record: &mut Record) -> Result<(bool, [usize; 2]), Failure> {
         let scenes: Vec<_> = nonlinear::ALL.iter().collect();
-        let jobs = jobs(AskedOfStability::Short, true, &scenes, &map::SCHEMES);
+        let jobs = jobs(MapRequest::Short, true, &scenes, &map::SCHEMES);
         let whole = &self.whole;
         let mut at = |share| whole.at(case::all().len(), share);
         let done = solve_stability(&jobs, &self.stop, record, &mut at);
-        let passed = done.iter().all(Done::passed);
-        let gates: Vec<Gate> = done.iter().flat_map(Done::gates).collect();
+        let passed = done.iter().all(JobResult::passed);
+        let gates: Vec<Gate> = done.iter().flat_map(JobResult::gates).collect();
         let held = gates.iter().filter(|gate| gate.passed()).count();
         let (amount, interrupted) = (self.amount, self.stop.raised());
         if let Some(detail) = record
@@ -309,7 +309,7 @@ impl Job<'_> {
             repetitions: 1,
         };
         let amount = self.amount;
-        let mut all: Vec<Studied> = vec![];
+        let mut all: Vec<CaseStudy> = vec![];
         for (number, study) in study::all().into_iter().enumerate() {
             if self.stop.raised() {
                 break;
@@ -361,7 +361,8 @@ impl Job<'_> {
                     }
                     Ok(())
                 } else {
-                    let refined: Vec<&Refined> = done.iter().map(|(refined, _)| refined).collect();
+                    let refined: Vec<&SceneBars> =
+                        done.iter().map(|(refined, _)| refined).collect();
                     writeln!(out, "{}", show_refined::short(&refined, paint))
                 }
             })?;
@@ -388,7 +389,7 @@ fn speed(
     }
     let mut all_taken = true;
     for (configuration, threads) in [(SPEED, threads), (SLOW, vec![])] {
-        let asked = Asked {
+        let asked = CommandLineChoices {
             threads,
             repetitions: None,
             quick: true,

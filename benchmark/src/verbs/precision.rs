@@ -3,11 +3,11 @@
 use super::folder::Folder;
 use super::names;
 use super::settings::Settings;
-use crate::bench::config::{Asked, Config, Executable};
+use crate::bench::config::{CommandLineChoices, Config, Executable};
 use crate::exit::{Failure, Outcome};
 use crate::interrupt::Interrupt;
 use crate::precision::bounds::{self, Bound};
-use crate::precision::{Effort, Studied, peers, rows, run};
+use crate::precision::{CaseStudy, Effort, peers, rows, run};
 use crate::progress::Progress;
 use crate::record::Record;
 use crate::show::{figures, precision as show};
@@ -114,7 +114,7 @@ impl Precision {
                 Some(peers)
             }
         };
-        let mut studied: Vec<Studied> = vec![];
+        let mut studied: Vec<CaseStudy> = vec![];
         for study in studies {
             let mut progress = Progress::new(study.name());
             let mut at = |share| progress.at(share);
@@ -181,7 +181,8 @@ impl Precision {
                 format!("{name}: no such file; accepted: a configuration with `executables`");
             return Err(Failure::BadInput(message));
         }
-        let config = Config::read(path, &Asked::default()).map_err(Failure::bad_input)?;
+        let config =
+            Config::read(path, &CommandLineChoices::default()).map_err(Failure::bad_input)?;
         if config.executables.is_empty() {
             let message = format!(
                 "{name}: executables: found none; accepted: an object of named executables"
@@ -209,7 +210,7 @@ impl Precision {
     fn write(
         &self,
         record: &Record,
-        studied: &[Studied],
+        studied: &[CaseStudy],
         out: &mut dyn Write,
     ) -> Result<(), Failure> {
         if let Some(path) = &self.json {
@@ -236,7 +237,7 @@ impl Precision {
 }
 
 /// One chart per measure of a study.
-fn charts(studied: &Studied, folder: &Path, out: &mut dyn Write) -> Result<(), Failure> {
+fn charts(studied: &CaseStudy, folder: &Path, out: &mut dyn Write) -> Result<(), Failure> {
     for (number, measure) in studied.study.measures().iter().enumerate() {
         let path = folder.join(format!("{}-{}.svg", studied.study.name(), measure.word));
         let svg = figures::error_against_time(studied, number).to_svg();

@@ -7,7 +7,7 @@ use super::stages;
 use crate::exit::{Failure, Outcome};
 use crate::interrupt::Interrupt;
 use crate::record::Record;
-use crate::refine::judge::Refined;
+use crate::refine::judge::SceneBars;
 use crate::refine::quantity::Quantity;
 use crate::refine::work::{Runs, Work};
 use crate::refine::{rows, run};
@@ -218,7 +218,7 @@ impl Refine {
             .quantity
             .iter()
             .filter_map(|quantity| match quantity.when {
-                crate::refine::quantity::When::At(time) => Some(("--quantity", time)),
+                crate::refine::quantity::QuantityTime::At(time) => Some(("--quantity", time)),
                 _ => None,
             });
         let mut asked = self
@@ -302,7 +302,7 @@ impl Refine {
                 "note: no axis is free of planes in reach, loads and held boxes: the mesh was not moved"
             );
         }
-        let judged = Refined::new(
+        let judged = SceneBars::new(
             &scene.name,
             &runs.meshes,
             &runs.moved,
@@ -345,7 +345,7 @@ impl Refine {
     /// The table, and whether all bars are as narrow as the user asks.
     fn told(
         &self,
-        refined: &Refined,
+        refined: &SceneBars,
         runs: &Runs,
         out: &mut dyn Write,
     ) -> Result<Outcome, Failure> {
@@ -382,7 +382,7 @@ impl Refine {
 /// Two pictures for each quantity: over the meshes, and over time.
 fn pictures(
     folder: &Path,
-    refined: &Refined,
+    refined: &SceneBars,
     runs: &Runs,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {

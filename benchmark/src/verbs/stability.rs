@@ -7,7 +7,7 @@ use crate::interrupt::Interrupt;
 use crate::progress::Progress;
 use crate::record::Record;
 use crate::show::{picture, stability as show};
-use crate::stability::{self, Asked, Done, Outcome as Found};
+use crate::stability::{self, JobResult, MapRequest, Outcome as JobOutcome};
 use clap::Args;
 use proctor_files::output::atomic;
 use proctor_scene::StressScheme;
@@ -114,9 +114,9 @@ impl Stability {
             return print_table(out);
         }
         let asked = if self.quick {
-            Asked::Quick
+            MapRequest::Quick
         } else {
-            Asked::Full
+            MapRequest::Full
         };
         let jobs = stability::jobs(asked, map, &scenes, &schemes);
         if jobs.is_empty() {
@@ -133,7 +133,7 @@ impl Stability {
             progress.at(share);
         })
         .iter()
-        .all(Done::passed);
+        .all(JobResult::passed);
         drop(progress);
         record.set_incomplete(interrupt.raised());
         if let Some(detail) = &record.details.stability {
@@ -212,8 +212,8 @@ pub fn done(
     interrupt: &Interrupt,
     record: &mut Record,
     progress: &mut dyn FnMut(f64),
-) -> Vec<Done> {
-    let mut all: Vec<Done> = vec![];
+) -> Vec<JobResult> {
+    let mut all: Vec<JobResult> = vec![];
     let go = || !interrupt.raised();
     stability::run(jobs, processors(), &go, |done| {
         record.push_stability(&done);
@@ -263,7 +263,7 @@ fn ask(path: &Path, out: &mut dyn Write) -> Result<Outcome, Failure> {
 /// Prints the kernel's table as its source, then what the one that it holds is worth.
 fn print_table(out: &mut dyn Write) -> Result<Outcome, Failure> {
     let all = [StressScheme::Usl, StressScheme::Usf, StressScheme::Musl];
-    let jobs = stability::jobs(Asked::Table, true, &[], &all);
+    let jobs = stability::jobs(MapRequest::Table, true, &[], &all);
     let mut record = Record::new(&Options::default());
     let interrupt = Interrupt::listen()?;
     let mut entries = vec![];
@@ -272,8 +272,8 @@ fn print_table(out: &mut dyn Write) -> Result<Outcome, Failure> {
         progress.at(share);
     }) {
         match done.outcome {
-            Ok(Found::Entry(entry)) => entries.push(*entry),
-            Ok(Found::Nonlinear(_)) => {}
+            Ok(JobOutcome::Entry(entry)) => entries.push(*entry),
+            Ok(JobOutcome::Nonlinear(_)) => {}
             Err(error) => {
                 writeln!(out, "{}: {error}", done.job.name())?;
                 return Ok(Outcome::Failed);

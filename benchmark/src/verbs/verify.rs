@@ -14,11 +14,11 @@ use crate::record::{BY_SCENE, CaseState, Record};
 use crate::say::say;
 use crate::show::case as full;
 use crate::show::paint::Paint;
-use crate::show::summary::{Kept, Lines, Verdict};
-use crate::suite::{self, Ran};
+use crate::show::summary::{EarlierCases, Lines, Verdict};
+use crate::suite::{self, CaseRun};
 use clap::Args;
 use earlier::Earlier;
-use generated::Generated;
+use generated::GeneratedChoices;
 use mill::Mill;
 use proctor_kernel::lanes::Selected;
 use proctor_scene::simulation::Options;
@@ -135,7 +135,7 @@ impl Verify {
             if !self.amount.more_than_the_verdict() {
                 progress::hide();
             }
-            return Generated {
+            return GeneratedChoices {
                 count,
                 seed: self.seed.unwrap_or(SEED),
                 threads: options.threads,
@@ -276,7 +276,7 @@ impl Verify {
             asked,
         } = task;
         let begun = Instant::now();
-        let kept = Kept::of(&record, &asked, size);
+        let kept = EarlierCases::of(&record, &asked, size);
         // Until all is done. A process that is killed leaves it so.
         record.set_incomplete(true);
         let write = |record: &Record| match &file {
@@ -294,7 +294,7 @@ impl Verify {
         let expected = cases.iter().map(|case| ladders::seconds(case.name(), size));
         let whole = Whole::new("verify", expected.collect(), 1);
         let threads = options.threads.unwrap_or(BY_SCENE);
-        let mut all: Vec<Ran> = vec![];
+        let mut all: Vec<CaseRun> = vec![];
         for (number, &case) in cases.iter().enumerate() {
             let go = || !interrupt.raised();
             let mut at = |share| whole.at(number, share);
@@ -347,7 +347,7 @@ impl Verify {
     }
 
     /// What is told of a case.
-    fn tell(&self, ran: &Ran, lines: &Lines, out: &mut dyn Write) -> std::io::Result<()> {
+    fn tell(&self, ran: &CaseRun, lines: &Lines, out: &mut dyn Write) -> std::io::Result<()> {
         if self.amount.all() {
             full::runs(ran, out)?;
             full::tables(ran, out)?;

@@ -1,6 +1,6 @@
 //! Configurations: the manual's as they are, ours, and everything that is wrong at once.
 
-use proctor_benchmark::bench::config::{Asked, Config, TimeLabel};
+use proctor_benchmark::bench::config::{CommandLineChoices, Config, TimeLabel};
 use proctor_benchmark::bench::slots;
 use proctor_scene::SceneError;
 use std::path::{Path, PathBuf};
@@ -12,11 +12,17 @@ fn fixture(name: &str) -> PathBuf {
 }
 
 fn read(name: &str) -> Config {
-    Config::read(&fixture(name), &Asked::default()).unwrap_or_else(|error| panic!("{error}"))
+    Config::read(&fixture(name), &CommandLineChoices::default())
+        .unwrap_or_else(|error| panic!("{error}"))
 }
 
 fn parse(text: &str) -> Result<Config, SceneError> {
-    Config::from_json(text, "c.json", Path::new(""), &Asked::default())
+    Config::from_json(
+        text,
+        "c.json",
+        Path::new(""),
+        &CommandLineChoices::default(),
+    )
 }
 
 /// What is said of a configuration that is wrong, without the list of what is accepted.
@@ -127,7 +133,7 @@ fn lists_are_multiplied() {
 
 #[test]
 fn the_command_line_overrides_the_file() {
-    let asked = Asked {
+    let asked = CommandLineChoices {
         threads: vec![3],
         repetitions: Some(7),
         quick: true,
@@ -224,7 +230,12 @@ fn a_scene_that_a_method_does_not_suit_is_bad_input() {
     scene["domain_update"] = "stretch".into();
     std::fs::write(folder.path().join("s.json"), scene.to_string()).expect("written");
     let text = r#"{"scenes": "s.json", "shape_function": ["cpGIMP", "linear"]}"#;
-    let error = Config::from_json(text, "c.json", folder.path(), &Asked::default());
+    let error = Config::from_json(
+        text,
+        "c.json",
+        folder.path(),
+        &CommandLineChoices::default(),
+    );
     let error = error.expect_err("a domain update needs cpGIMP");
     assert!(error.to_string().contains("domain_update"), "{error}");
 }

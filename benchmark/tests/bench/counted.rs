@@ -2,7 +2,7 @@
 
 use super::sources::{COMPILER, workspace, write};
 use proctor_benchmark::bench::counted::{Earlier, Item, features, scenes_and_parts};
-use proctor_benchmark::bench::sources::Kept;
+use proctor_benchmark::bench::sources::KeptDigests;
 use proctor_benchmark::record::{Record, Row};
 use proctor_scene::simulation::Options;
 use std::path::{Path, PathBuf};
@@ -18,7 +18,7 @@ fn kept(root: &Path, but: &[&str]) -> PathBuf {
     let path = root.join("instructions.json");
     let now = Earlier::read(root, COMPILER, None).expect("sources");
     let mut record = Record::new(&Options::default());
-    let mut digests = Kept::default();
+    let mut digests = KeptDigests::default();
     for item in items() {
         digests.keep(item.row(), now.count(&item).0);
         if !but.contains(&&*item.name) {
@@ -28,7 +28,7 @@ fn kept(root: &Path, but: &[&str]) -> PathBuf {
         }
     }
     record.write(&path).expect("written");
-    digests.write(&Kept::beside(&path)).expect("written");
+    digests.write(&KeptDigests::beside(&path)).expect("written");
     path
 }
 

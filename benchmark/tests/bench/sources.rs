@@ -1,6 +1,6 @@
 //! Counts of instructions that must be made again after a change of the sources.
 
-use proctor_benchmark::bench::sources::{Digest, Kept, Sources};
+use proctor_benchmark::bench::sources::{Digest, KeptDigests, Sources};
 use serde_json::{Value, json};
 use std::fs;
 use std::path::Path;
@@ -151,14 +151,14 @@ fn compiler_scene_and_the_manner_of_counting_are_in_the_digest() {
 fn without_what_was_kept_everything_is_counted() {
     let root = workspace();
     let [digest, ..] = digests(root.path(), COMPILER);
-    let file = Kept::beside(&root.path().join("instructions.json"));
+    let file = KeptDigests::beside(&root.path().join("instructions.json"));
     assert!(file.ends_with("instructions.sources.csv"));
-    let none = Kept::read(&file).expect("no file is nothing kept");
+    let none = KeptDigests::read(&file).expect("no file is nothing kept");
     assert!(!none.has("rest/step", digest));
-    let mut kept = Kept::default();
+    let mut kept = KeptDigests::default();
     kept.keep("rest/step", digest);
     kept.write(&file).expect("written");
-    let read = Kept::read(&file).expect("written before");
+    let read = KeptDigests::read(&file).expect("written before");
     assert_eq!(read, kept);
     assert!(read.has("rest/step", digest) && !read.has("moving/step", digest));
     write(
@@ -166,7 +166,7 @@ fn without_what_was_kept_everything_is_counted() {
         "instructions.sources.csv",
         "of,digest\nrest/step,0\n",
     );
-    let spoilt = Kept::read(&file).expect("a file");
+    let spoilt = KeptDigests::read(&file).expect("a file");
     assert!(!spoilt.has("rest/step", digest));
 }
 

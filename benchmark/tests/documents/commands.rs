@@ -3,7 +3,7 @@
 //! The arguments of each must be such as the command takes. What is no synopsis is run as it stands, but for what takes
 //! minutes or needs other programs: that is run on less, or not at all, and [`how`] says why.
 
-use super::found::{Printed, commands, readings, words};
+use super::found::{PrintedCommand, commands, readings, words};
 use super::{documents, root, text_of};
 use proctor_benchmark::takes;
 use std::collections::BTreeSet;
@@ -15,7 +15,7 @@ use tempfile::TempDir;
 
 /// How a command is run.
 #[derive(Debug, PartialEq, Eq)]
-enum How {
+enum RunMode {
     /// As it stands.
     AsItStands,
     /// With these arguments after its own: the same on less.
@@ -27,53 +27,59 @@ enum How {
 }
 
 /// How a command of this program is run.
-fn how(arguments: &[&str]) -> How {
+fn how(arguments: &[&str]) -> RunMode {
     match arguments {
         ["verify", "--list"]
         | ["verify", "bar" | "self-weight", "--quick", ..]
-        | ["bench", "peers.json" | "late.json" | "labelled.json"] => How::AsItStands,
-        [] => How::NotRun("the main job takes minutes; CI runs it and looks at what it writes"),
-        ["stability", "--extreme"] => How::With(&["--row", "denormals"]),
-        ["stability", ..] => {
-            How::NotRun("all methods take minutes; tests/command/stability.rs runs some of them")
-        }
+        | ["bench", "peers.json" | "late.json" | "labelled.json"] => RunMode::AsItStands,
+        [] => RunMode::NotRun("the main job takes minutes; CI runs it and looks at what it writes"),
+        ["stability", "--extreme"] => RunMode::With(&["--row", "denormals"]),
+        ["stability", ..] => RunMode::NotRun(
+            "all methods take minutes; tests/command/stability.rs runs some of them",
+        ),
         ["verify"] | ["verify", "--quick"] => {
-            How::NotRun("all cases take a minute; tests/cases.rs of the verification runs them")
+            RunMode::NotRun("all cases take a minute; tests/cases.rs of the verification runs them")
         }
-        ["verify", "--generated", ..] => How::Instead(&["verify", "--generated", "12"]),
+        ["verify", "--generated", ..] => RunMode::Instead(&["verify", "--generated", "12"]),
         ["verify", "refine", ..] => {
-            How::NotRun("the kept ladders are not there; tests/command/refine.rs reads them")
+            RunMode::NotRun("the kept ladders are not there; tests/command/refine.rs reads them")
         }
-        ["refine", "earthquake.json", ..] => How::NotRun(
+        ["refine", "earthquake.json", ..] => RunMode::NotRun(
             "three meshes of a slope take a quarter of a minute; tests/command/stages.rs refines a column",
         ),
-        ["verify", "mill", ..] => How::Instead(&["verify", "mill", "--count", "2", "--seed", "5"]),
+        ["verify", "mill", ..] => {
+            RunMode::Instead(&["verify", "mill", "--count", "2", "--seed", "5"])
+        }
         // Names and options are looked at; the runs are those of tests/cases.rs.
-        ["verify", rest @ ..] if rest.contains(&"--quick") => How::With(&["--list"]),
-        ["verify", ..] => How::With(&["--quick", "--list"]),
-        ["precision"] => How::NotRun("all studies take minutes"),
+        ["verify", rest @ ..] if rest.contains(&"--quick") => RunMode::With(&["--list"]),
+        ["verify", ..] => RunMode::With(&["--quick", "--list"]),
+        ["precision"] => RunMode::NotRun("all studies take minutes"),
         ["precision", "boussinesq", rest @ ..] if rest.contains(&"--executables") => {
             // The solver stays out: the one that is here can do nothing but fall; tests/command/guests.rs hands it cases.
-            How::Instead(&["precision", "step-bar", "--quick", "--svg", "charts"])
+            RunMode::Instead(&["precision", "step-bar", "--quick", "--svg", "charts"])
         }
-        ["precision", "boussinesq", ..] => How::Instead(&["precision", "self-weight", "--quick"]),
+        ["precision", "boussinesq", ..] => {
+            RunMode::Instead(&["precision", "self-weight", "--quick"])
+        }
         ["bench", "fixtures/bench/laws.json", ..] => {
-            How::NotRun("all laws take a minute; the configuration of speed is one of its kind")
+            RunMode::NotRun("all laws take a minute; the configuration of speed is one of its kind")
         }
-        ["precision" | "bench", ..] if !arguments.contains(&"--quick") => How::With(&["--quick"]),
+        ["precision" | "bench", ..] if !arguments.contains(&"--quick") => {
+            RunMode::With(&["--quick"])
+        }
         ["run", scene, ..] if scene.starts_with("fixtures/scenes/speed/") => {
-            How::Instead(&["plan", "fixtures/scenes/speed/block_1m.json"])
+            RunMode::Instead(&["plan", "fixtures/scenes/speed/block_1m.json"])
         }
-        ["export", "--format", "book", ..] => How::NotRun(
+        ["export", "--format", "book", ..] => RunMode::NotRun(
             "the kept ladders are not there; tests/documents/book.rs compares the pages",
         ),
         ["export", "--format", "problems", ..] => {
-            How::NotRun("it runs every open case; tests/command/guest_bounds.rs judges frames")
+            RunMode::NotRun("it runs every open case; tests/command/guest_bounds.rs judges frames")
         }
         ["history", rest @ ..] if rest.contains(&"--git") => {
-            How::Instead(&["history", "record.json"])
+            RunMode::Instead(&["history", "record.json"])
         }
-        _ => How::AsItStands,
+        _ => RunMode::AsItStands,
     }
 }
 
@@ -176,7 +182,7 @@ fn missing(shown: &[String], output: &str) -> Result<(), String> {
 }
 
 /// What is wrong with a command of a document.
-fn fault(printed: &Printed, desk: &Path) -> Result<(), String> {
+fn fault(printed: &PrintedCommand, desk: &Path) -> Result<(), String> {
     let all = words(&printed.line);
     if own(&all).is_none() {
         return other(&printed.line, &all, desk);
@@ -191,14 +197,14 @@ fn fault(printed: &Printed, desk: &Path) -> Result<(), String> {
     let mut arguments = own(&all).ok_or("no command of this program")?;
     takes(&arguments)?;
     let how = how(&arguments);
-    if how != How::AsItStands && !printed.output.is_empty() {
+    if how != RunMode::AsItStands && !printed.output.is_empty() {
         return Err("its output is shown, and it is not run as it stands".to_owned());
     }
     match how {
-        How::NotRun(_) => return Ok(()),
-        How::AsItStands => {}
-        How::With(more) => arguments.extend(more),
-        How::Instead(others) => arguments = others.to_vec(),
+        RunMode::NotRun(_) => return Ok(()),
+        RunMode::AsItStands => {}
+        RunMode::With(more) => arguments.extend(more),
+        RunMode::Instead(others) => arguments = others.to_vec(),
     }
     missing(&printed.output, &run(desk, &arguments, printed.exit)?)
 }
@@ -393,7 +399,10 @@ fn commands_that_there_are_not_are_found() {
         "scripts/full-ladders --frobnicate",
         "stability [SCENE] [--rows NAME]",
     ] {
-        assert!(fault(&Printed::of(line), desk.path()).is_err(), "{line}");
+        assert!(
+            fault(&PrintedCommand::of(line), desk.path()).is_err(),
+            "{line}"
+        );
     }
 }
 
@@ -408,9 +417,9 @@ fn outputs_that_there_are_not_are_found() {
         assert!(shown(line).is_err(), "{line}");
     }
     let desk = desk();
-    let printed = |exit: i32| Printed {
+    let printed = |exit: i32| PrintedCommand {
         exit,
-        ..Printed::of("proctor plan nothing.json")
+        ..PrintedCommand::of("proctor plan nothing.json")
     };
     assert!(fault(&printed(2), desk.path()).is_ok());
     assert!(fault(&printed(0), desk.path()).is_err());

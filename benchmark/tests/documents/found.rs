@@ -4,7 +4,7 @@ use proctor_benchmark::verbs;
 
 /// A command as a document prints it, on one line.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Printed {
+pub struct PrintedCommand {
     pub line: String,
     /// The exit code that the comment beside it names, else 0.
     pub exit: i32,
@@ -12,7 +12,7 @@ pub struct Printed {
     pub output: Vec<String>,
 }
 
-impl Printed {
+impl PrintedCommand {
     /// A command that ends well, without its output.
     pub fn of(line: &str) -> Self {
         Self {
@@ -51,8 +51,8 @@ enum Block {
 /// All commands of a text, in their order: lines of indented blocks and words between backticks that begin with `proctor`,
 /// `cargo`, `sed`, a script, or a verb that is followed by something. A block of ```` ```text ```` below a command shows its
 /// output; what is left out there is `…`.
-pub fn commands(text: &str) -> Vec<Printed> {
-    let mut all: Vec<Printed> = vec![];
+pub fn commands(text: &str) -> Vec<PrintedCommand> {
+    let mut all: Vec<PrintedCommand> = vec![];
     let mut prose = String::new();
     let mut block = Block::None;
     for line in text.lines() {
@@ -86,18 +86,18 @@ pub fn commands(text: &str) -> Vec<Printed> {
         let exit = comment.split("exit code ").nth(1).unwrap_or_default();
         let exit = exit.split(|c: char| !c.is_ascii_digit()).next();
         let exit = exit.and_then(|code| code.parse().ok()).unwrap_or(0);
-        all.extend(command_of(command).map(|printed| Printed { exit, ..printed }));
+        all.extend(command_of(command).map(|printed| PrintedCommand { exit, ..printed }));
     }
     all.extend(between_backticks(&prose));
     all
 }
 
-fn between_backticks(prose: &str) -> Vec<Printed> {
+fn between_backticks(prose: &str) -> Vec<PrintedCommand> {
     let parts = prose.split('`').skip(1).step_by(2);
     parts.filter_map(command_of).collect()
 }
 
-fn command_of(text: &str) -> Option<Printed> {
+fn command_of(text: &str) -> Option<PrintedCommand> {
     let words: Vec<String> = text
         .split_whitespace()
         .map(|word| word.replace("\\|", "|"))
@@ -109,7 +109,7 @@ fn command_of(text: &str) -> Option<Printed> {
         verb => words.len() > 1 && verbs().iter().any(|known| known == verb),
     };
     let piped = words.windows(2).any(|pair| pair == ["|", "proctor"]);
-    (known || piped).then(|| Printed::of(&words.join(" ")))
+    (known || piped).then(|| PrintedCommand::of(&words.join(" ")))
 }
 
 /// The words of a command line; what stands between quotes is one.
@@ -189,7 +189,7 @@ fn a_synopsis_is_read_with_each_of_its_parts() {
         ("proctor keys cpGIMP", false),
         ("make | proctor run -", false),
     ] {
-        assert_eq!(Printed::of(line).is_synopsis(), synopsis, "{line}");
+        assert_eq!(PrintedCommand::of(line).is_synopsis(), synopsis, "{line}");
     }
     assert_eq!(
         readings("bench [CONFIG.json] [--threads N,N]"),
@@ -208,10 +208,10 @@ fn a_synopsis_is_read_with_each_of_its_parts() {
 #[test]
 fn exit_codes_and_outputs_belong_to_the_command_above_them() {
     let text = "    proctor plan a.json   # bad input: exit code 2\n\n```text\nplan … of a\n```\n\n```json\n{ \"a\": `keys x` }\n```\n\n`keys y`\n";
-    let first = Printed {
+    let first = PrintedCommand {
         exit: 2,
         output: vec!["plan … of a".to_owned()],
-        ..Printed::of("proctor plan a.json")
+        ..PrintedCommand::of("proctor plan a.json")
     };
-    assert_eq!(commands(text), [first, Printed::of("keys y")]);
+    assert_eq!(commands(text), [first, PrintedCommand::of("keys y")]);
 }

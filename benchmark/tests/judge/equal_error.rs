@@ -1,7 +1,7 @@
 //! A gain in time that was paid for in accuracy.
 
 use crate::judge::synthetic::{compare, of, record, steady_with};
-use proctor_benchmark::judge::ledger::{Ledger, What};
+use proctor_benchmark::judge::ledger::{ChangeKind, Ledger};
 use proctor_benchmark::judge::{self, CaseVerdict, Comparison, Rules, equal_error};
 use proctor_benchmark::record::{Cases, LADDER, Record, Row};
 
@@ -30,7 +30,7 @@ fn compare_accepted(base: &Record, head: &Record) -> Comparison {
         let rose = finding.changes.iter().filter(|c| c.number == "error_l2");
         let line = |change| {
             let line = ledger.line("", &case, change, "the price of speed", "0123456789");
-            assert_eq!(line.what, What::Worse);
+            assert_eq!(line.what, ChangeKind::Worse);
             line
         };
         let lines: Vec<_> = rose.map(line).collect();

@@ -1,7 +1,7 @@
 //! Changes that were accepted, and the best value that a number ever had.
 
 use crate::judge::synthetic::record;
-use proctor_benchmark::judge::ledger::{Ledger, Line, What};
+use proctor_benchmark::judge::ledger::{ChangeKind, Ledger, Line};
 use proctor_benchmark::judge::{self, Comparison, Rules, Verdict};
 use proctor_benchmark::record::{Record, Row};
 use tempfile::TempDir;
@@ -15,7 +15,7 @@ fn with(key: &str, value: f64) -> Record {
     record
 }
 
-fn line(number: &str, from: f64, to: f64, what: What) -> Line {
+fn line(number: &str, from: f64, to: f64, what: ChangeKind) -> Line {
     Line {
         ladder: "quick".to_owned(),
         case: "a".to_owned(),
@@ -45,28 +45,28 @@ fn an_accepted_change_is_fine_and_another_is_not() {
     let judged = |lines| compared(&base, &head, lines, false).verdict();
     assert_eq!(judged(vec![]), Verdict::Worse);
     assert_eq!(
-        judged(vec![line("error_u", 0.1, 0.2, What::Worse)]),
+        judged(vec![line("error_u", 0.1, 0.2, ChangeKind::Worse)]),
         Verdict::Fine
     );
     for other in [
-        line("error_v", 0.1, 0.2, What::Worse),
-        line("error_u", 0.1, 0.19, What::Worse),
-        line("error_u", 0.11, 0.2, What::Worse),
+        line("error_v", 0.1, 0.2, ChangeKind::Worse),
+        line("error_u", 0.1, 0.19, ChangeKind::Worse),
+        line("error_u", 0.11, 0.2, ChangeKind::Worse),
         Line {
             case: "b".to_owned(),
-            ..line("error_u", 0.1, 0.2, What::Worse)
+            ..line("error_u", 0.1, 0.2, ChangeKind::Worse)
         },
         Line {
             ladder: "full".to_owned(),
-            ..line("error_u", 0.1, 0.2, What::Worse)
+            ..line("error_u", 0.1, 0.2, ChangeKind::Worse)
         },
     ] {
         assert_eq!(judged(vec![other]), Verdict::Worse);
     }
     // Over several commits the lines lead from one to the other.
     let two = vec![
-        line("error_u", 0.1, 0.15, What::Worse),
-        line("error_u", 0.15, 0.2, What::Worse),
+        line("error_u", 0.1, 0.15, ChangeKind::Worse),
+        line("error_u", 0.15, 0.2, ChangeKind::Worse),
     ];
     assert_eq!(judged(two), Verdict::Fine);
 }
@@ -79,7 +79,7 @@ fn many_small_steps_do_not_slip_through() {
     let mut verdicts = vec![];
     for _ in 0..4 {
         let next = value * (1.0 + 0.9e-6);
-        lines.push(line("error_u", value, next, What::Better));
+        lines.push(line("error_u", value, next, ChangeKind::Better));
         let (base, head) = (with("error_u", value), with("error_u", next));
         verdicts.push(compared(&base, &head, lines.clone(), true).verdict());
         value = next;
@@ -87,7 +87,7 @@ fn many_small_steps_do_not_slip_through() {
     assert_eq!(verdicts[0], Verdict::Fine);
     assert_eq!(verdicts[1..], [Verdict::Worse; 3]);
     // Until somebody takes it as what it is.
-    lines.last_mut().expect("a line").what = What::Worse;
+    lines.last_mut().expect("a line").what = ChangeKind::Worse;
     let before: f64 = lines[3].from.parse().expect("a number");
     let (base, head) = (with("error_u", before), with("error_u", value));
     assert_eq!(compared(&base, &head, lines, true).verdict(), Verdict::Fine);
@@ -97,8 +97,8 @@ fn many_small_steps_do_not_slip_through() {
 fn a_gain_is_kept() {
     // Better first, then back to where it was: equal to the first, but not to the best.
     let lines = vec![
-        line("error_u", 0.2, 0.1, What::Better),
-        line("error_u", 0.1, 0.2, What::Better),
+        line("error_u", 0.2, 0.1, ChangeKind::Better),
+        line("error_u", 0.1, 0.2, ChangeKind::Better),
     ];
     let comparison = compared(
         &with("error_u", 0.1),
@@ -126,8 +126,8 @@ fn a_value_is_judged_by_its_error_where_it_has_one() {
     };
     // The ledger knows other values; the error became better, and the value with it.
     let lines = vec![
-        line("error_u", 0.2, 0.1, What::Better),
-        line("value_u", 1.2, 1.1, What::Better),
+        line("error_u", 0.2, 0.1, ChangeKind::Better),
+        line("value_u", 1.2, 1.1, ChangeKind::Better),
     ];
     let comparison = compared(&with_value(1.1, 0.1), &with_value(1.05, 0.05), lines, false);
     assert_eq!(comparison.verdict(), Verdict::Fine);
@@ -151,7 +151,7 @@ fn strictly_every_difference_needs_a_line() {
         compared(&base, &base, vec![], true).verdict(),
         Verdict::Fine
     );
-    let better = line("error_u", 0.1, 0.05, What::Better);
+    let better = line("error_u", 0.1, 0.05, ChangeKind::Better);
     assert_eq!(
         compared(&base, &with("error_u", 0.05), vec![better], true).verdict(),
         Verdict::Fine
@@ -167,7 +167,7 @@ fn a_ledger_reads_as_it_was_written_and_only_grows() {
     assert_eq!(Ledger::read(&path).expect("read"), ledger);
     ledger
         .lines
-        .push(line("error_u", 1e-300, 0.1 + 0.2, What::Worse));
+        .push(line("error_u", 1e-300, 0.1 + 0.2, ChangeKind::Worse));
     ledger.lines[0].reason = "a comma, a \"quote\"".to_owned();
     ledger.write(&path).expect("written");
     let read = Ledger::read(&path).expect("read");
@@ -184,10 +184,10 @@ fn a_ledger_reads_as_it_was_written_and_only_grows() {
 fn a_line_without_a_reason_is_refused() {
     let folder = TempDir::new().expect("a folder");
     let path = folder.path().join("ledger.csv");
-    let mut bare = line("error_u", 0.1, 0.2, What::Worse);
+    let mut bare = line("error_u", 0.1, 0.2, ChangeKind::Worse);
     bare.reason = " ".to_owned();
     let ledger = Ledger {
-        lines: vec![line("error_u", 0.1, 0.2, What::Worse), bare],
+        lines: vec![line("error_u", 0.1, 0.2, ChangeKind::Worse), bare],
     };
     ledger.write(&path).expect("written");
     let error = Ledger::read(&path).expect_err("refused").to_string();

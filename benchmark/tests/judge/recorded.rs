@@ -18,17 +18,17 @@ const DRAWS: usize = 200;
 type Pair = [[f64; 2]; 2];
 
 /// What was recorded of a case.
-struct Recorded {
+struct RecordedTimes {
     name: String,
     threads: u64,
     pairs: Vec<Pair>,
 }
 
 /// What a file of `fixtures/noise` holds: `busy` is what the rules were tuned on, `later` was recorded after them.
-fn recording(file: &str) -> Vec<Recorded> {
+fn recording(file: &str) -> Vec<RecordedTimes> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/noise");
     let text = std::fs::read_to_string(root.join(format!("{file}.csv"))).expect("the samples");
-    let mut cases: Vec<Recorded> = vec![];
+    let mut cases: Vec<RecordedTimes> = vec![];
     for line in text.lines().skip(1) {
         let cells: Vec<&str> = line.split(',').collect();
         let time = |at: usize| cells[at].parse::<f64>().expect("microseconds") * 1e-6;
@@ -36,7 +36,7 @@ fn recording(file: &str) -> Vec<Recorded> {
         let name = format!("{file}: {}", cells[0]);
         match cases.iter_mut().find(|case| case.name == name) {
             Some(case) => case.pairs.push(pair),
-            None => cases.push(Recorded {
+            None => cases.push(RecordedTimes {
                 name,
                 threads: cells[1].parse().expect("threads"),
                 pairs: vec![pair],
@@ -46,7 +46,7 @@ fn recording(file: &str) -> Vec<Recorded> {
     cases
 }
 
-impl Recorded {
+impl RecordedTimes {
     /// Pairs that followed each other, from a random start, the sides exchanged or not.
     fn draw(&self, random: &mut Rand64) -> Vec<Pair> {
         let n = self.pairs.len();

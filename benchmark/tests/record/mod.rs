@@ -3,6 +3,7 @@
 mod context;
 mod foreign;
 mod refused;
+mod renamed;
 mod round_trip;
 
 use proctor_benchmark::record::{Record, RecordError};

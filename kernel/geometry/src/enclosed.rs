@@ -7,7 +7,7 @@ use std::fmt;
 
 /// The inside of a closed surface: a point lies inside if a ray from it meets the surface an odd number of times.
 #[derive(Clone, PartialEq)]
-pub struct Enclosed {
+pub struct EnclosedRegion {
     corners: Vec<Vector>,
     triangles: Vec<[u32; 3]>,
     bins: Bins,
@@ -15,7 +15,7 @@ pub struct Enclosed {
     volume: f64,
 }
 
-impl Enclosed {
+impl EnclosedRegion {
     /// A closed surface by corners that its triangles share \[m\], each edge in two triangles that run along it in opposite
     /// directions.
     #[must_use]
@@ -86,7 +86,7 @@ impl Enclosed {
     }
 }
 
-impl fmt::Debug for Enclosed {
+impl fmt::Debug for EnclosedRegion {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Enclosed")
             .field("triangles", &self.triangles.len())
@@ -136,7 +136,7 @@ mod tests {
     #[test]
     fn lines_through_edges_and_corners_of_a_tetrahedron() {
         let corners = vec![[0.0; 3], [2.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 2.0]];
-        let body = Enclosed::new(corners, vec![[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+        let body = EnclosedRegion::new(corners, vec![[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
         assert!((body.volume() - 8.0 / 6.0).abs() < 1e-15);
         for (at, length) in [([0.5, 0.5], 1.0), ([0.25, 0.75], 1.0), ([1.5, 1.0], 0.0)] {
             let mut found = vec![];

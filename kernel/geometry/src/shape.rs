@@ -1,6 +1,6 @@
 //! Shapes of bodies, and the space that they are in.
 
-use crate::enclosed::Enclosed;
+use crate::enclosed::EnclosedRegion;
 use crate::stratum::Stratum;
 use std::sync::Arc;
 
@@ -78,7 +78,7 @@ pub enum Shape {
     /// Ground between sheets, such as a terrain and the base of a layer.
     Stratum(Arc<Stratum>),
     /// The inside of a closed surface of triangles (3D).
-    Enclosed(Arc<Enclosed>),
+    Enclosed(Arc<EnclosedRegion>),
     /// Particles given one by one.
     Particles(Arc<Vec<ParticleSeed>>),
 }

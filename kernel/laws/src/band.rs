@@ -4,7 +4,7 @@
 //! a scene says how wide the band was in which strength was seen to fall, plastic strain counts as much more as a cell is
 //! wider than it, and the energy of a band does not depend on the cell.
 
-use super::{Accepted, Choice, Constant, ConstantDefault, InvalidConstant};
+use super::{Choice, Constant, ConstantDefault, ConstantRange, InvalidConstant};
 
 /// Whether softening scales with the cell.
 pub(super) const REGULARISATION: Choice = Choice {
@@ -19,7 +19,7 @@ pub(super) const WIDTH: Constant = Constant {
     key: "regularisation.width",
     meaning: "Width of the band in which strength was seen to fall as the law says; 0 where nothing is scaled",
     unit: "m",
-    accepted: Accepted::NotNegative,
+    accepted: ConstantRange::NotNegative,
     given: ConstantDefault::Or(0.0),
 };
 

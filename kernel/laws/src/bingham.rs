@@ -8,8 +8,8 @@ use super::tensor::components;
 use super::tensor::volume_ratio;
 use super::tensor::{deviator, second_invariant};
 use super::{
-    Accepted, AnyLaw, Choice, Constant, ConstantDefault, Increment, Law, LinearElastic, Particle,
-    PressurizedFluid, Readable, Stress,
+    AnyLaw, Choice, Constant, ConstantDefault, ConstantRange, Increment, Law, LinearElastic,
+    Particle, PressurizedFluid, Readable, Stress,
 };
 use proctor_kernel::lanes::Lanes;
 use proctor_kernel::layout::Variable;
@@ -62,14 +62,14 @@ impl Law for Bingham {
             key: "yield_stress",
             meaning: "Shear stress up to which the fluid does not flow",
             unit: "Pa",
-            accepted: Accepted::Positive,
+            accepted: ConstantRange::Positive,
             given: ConstantDefault::Needed,
         },
         Constant {
             key: "shear",
             meaning: "Shear modulus of the fluid where it does not flow; the bulk modulus where it is not given",
             unit: "Pa",
-            accepted: Accepted::Positive,
+            accepted: ConstantRange::Positive,
             given: ConstantDefault::As("bulk"),
         },
         EXPONENT,

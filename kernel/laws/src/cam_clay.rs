@@ -6,7 +6,7 @@ use super::tensor::{
     Configuration, Matrix, components, deviator, rotate, second_invariant, volume_ratio,
 };
 use super::{
-    Accepted, Constant, ConstantDefault, Increment, InvalidConstant, Law, Particle, Readable,
+    Constant, ConstantDefault, ConstantRange, Increment, InvalidConstant, Law, Particle, Readable,
     Stress,
 };
 use crate::functions;
@@ -150,7 +150,7 @@ impl CamClay {
 
     /// The return of a trial pressure and deviator to the ellipse.
     #[inline(always)]
-    fn returned<L: Lanes>(&self, trial: [L; 2], before: L, shear: L) -> Returned<L> {
+    fn returned<L: Lanes>(&self, trial: [L; 2], before: L, shear: L) -> EllipseReturn<L> {
         let (zero, one, two) = (L::splat(0.0), L::splat(1.0), L::splat(2.0));
         let hardens = 1.0 / (self.compression - self.swelling);
         let (of_hardening, of_swelling) = (L::splat(hardens), L::splat(1.0 / self.swelling));
@@ -189,7 +189,7 @@ impl CamClay {
             g = g - turned * (f_x * flow - f * flow_x);
         }
         let [p, most, square, stretch] = state;
-        Returned {
+        EllipseReturn {
             pressure: p * before,
             preconsolidation: most * before,
             ratio: one / stretch,
@@ -202,7 +202,7 @@ impl CamClay {
 }
 
 /// Result of a return to the ellipse.
-struct Returned<L: Lanes> {
+struct EllipseReturn<L: Lanes> {
     pressure: L,
     preconsolidation: L,
     /// Of the deviator to that of the trial stress.
@@ -239,21 +239,21 @@ impl Law for CamClay {
             key: "critical_ratio",
             meaning: "Stress ratio q/p at the critical state, M = 6 sin(phi)/(3 - sin(phi)) of an angle of friction",
             unit: "",
-            accepted: Accepted::Between(0.0, 3.0),
+            accepted: ConstantRange::Between(0.0, 3.0),
             given: ConstantDefault::Needed,
         },
         Constant {
             key: "compression",
             meaning: "Slope of ln(v) against ln(p) in first compression; that of v against ln(p), over v",
             unit: "",
-            accepted: Accepted::Between(0.0, 1.0),
+            accepted: ConstantRange::Between(0.0, 1.0),
             given: ConstantDefault::Needed,
         },
         Constant {
             key: "swelling",
             meaning: "Slope of ln(v) against ln(p) in swelling, less than that of first compression",
             unit: "",
-            accepted: Accepted::Between(0.0, 0.2),
+            accepted: ConstantRange::Between(0.0, 0.2),
             given: ConstantDefault::Needed,
         },
         super::POISSON,
@@ -261,28 +261,28 @@ impl Law for CamClay {
             key: "shear_modulus",
             meaning: "Shear modulus that stays, in place of that of Poisson's ratio; 0 for one that grows with the pressure",
             unit: "Pa",
-            accepted: Accepted::NotNegative,
+            accepted: ConstantRange::NotNegative,
             given: ConstantDefault::Or(0.0),
         },
         Constant {
             key: "preconsolidation",
             meaning: "Largest pressure before the start; 0 for one that follows from the stress at the start",
             unit: "Pa",
-            accepted: Accepted::NotNegative,
+            accepted: ConstantRange::NotNegative,
             given: ConstantDefault::Or(0.0),
         },
         Constant {
             key: "overconsolidation",
             meaning: "Size of the yield surface over that on which the stress at the start lies; 1 where it has borne no more",
             unit: "",
-            accepted: Accepted::From(1.0, 1000.0),
+            accepted: ConstantRange::From(1.0, 1000.0),
             given: ConstantDefault::Or(1.0),
         },
         Constant {
             key: "reference_pressure",
             meaning: "Pressure at which its stiffness counts in penalties, damping and absorbing planes",
             unit: "Pa",
-            accepted: Accepted::Positive,
+            accepted: ConstantRange::Positive,
             given: ConstantDefault::Or(1e5),
         },
     ];

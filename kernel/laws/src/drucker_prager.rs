@@ -1,7 +1,7 @@
 //! Elasticity that yields by the criterion of Drucker and Prager, with tension cut-off.
 
 use super::gap::{GAP, TensionApex};
-use super::plastic::{ALGORITHMIC, RELAXATION, ReturnedStress, STRAIN, WORK, Yielding};
+use super::plastic::{ALGORITHMIC, RELAXATION, ReturnedStress, STRAIN, WORK, YieldSurface};
 use super::strength::{self, COHESION, DILATION, FRICTION, TENSILE};
 use super::tensor::components;
 use super::tensor::{deviator, second_invariant};
@@ -114,7 +114,7 @@ impl DruckerPrager {
 
 crate::yielding_law!(DruckerPrager);
 
-impl Yielding for DruckerPrager {
+impl YieldSurface for DruckerPrager {
     const CONSTANTS: &'static [Constant] = &[
         super::YOUNG,
         super::POISSON,

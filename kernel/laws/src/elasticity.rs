@@ -1,13 +1,13 @@
 //! Constants of isotropic elasticity.
 
-use proctor_kernel::laws::{Accepted, Constant, ConstantDefault};
+use proctor_kernel::laws::{Constant, ConstantDefault, ConstantRange};
 
 /// Young's modulus.
 pub(crate) const YOUNG: Constant = Constant {
     key: "young",
     meaning: "Young's modulus",
     unit: "Pa",
-    accepted: Accepted::Positive,
+    accepted: ConstantRange::Positive,
     given: ConstantDefault::Needed,
 };
 
@@ -16,7 +16,7 @@ pub(crate) const POISSON: Constant = Constant {
     key: "poisson",
     meaning: "Poisson's ratio",
     unit: "",
-    accepted: Accepted::Between(-1.0, 0.5),
+    accepted: ConstantRange::Between(-1.0, 0.5),
     given: ConstantDefault::Needed,
 };
 

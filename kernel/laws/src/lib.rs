@@ -33,13 +33,13 @@ pub use gap::{GAP, TensionApex};
 pub use law_type::{Choice, LawType, Readable};
 pub use linear_elastic::ObjectiveRate;
 pub use mohr_coulomb::{Residual, Softening};
-pub use plastic::{ReturnedStress, Yielding};
+pub use plastic::{ReturnedStress, YieldSurface};
 pub use point::{Point, PointFault};
 pub use pressurized_fluid::PressurizedFluid;
 pub use proctor_kernel::laws::{
-    Accepted, AnyLaw, BLOCK, Block, Component, Constant, ConstantDefault, Curve, Gradients,
-    Increment, InvalidConstant, Law, Particle, Rows, StoredParticle, Strain, StrainRange, Strained,
-    Stress, UNDEFORMED, UNPRESSED,
+    AnyLaw, BLOCK, Block, BlockStrain, Component, Constant, ConstantDefault, ConstantRange, Curve,
+    Gradients, Increment, InvalidConstant, Law, Particle, Rows, StoredParticle, Strain,
+    StrainRange, Stress, UNDEFORMED, UNPRESSED,
 };
 pub use state::EquationOfState;
 

@@ -6,7 +6,7 @@ use super::state::{BULK, EXPONENT, EquationOfState};
 use super::tensor::components;
 use super::tensor::{deviator, second_invariant};
 use super::{
-    Accepted, AnyLaw, Choice, Constant, ConstantDefault, Increment, Law, Particle,
+    AnyLaw, Choice, Constant, ConstantDefault, ConstantRange, Increment, Law, Particle,
     PressurizedFluid, Readable, Stress,
 };
 use proctor_kernel::lanes::Lanes;
@@ -17,7 +17,7 @@ pub(super) const VISCOSITY: Constant = Constant {
     key: "viscosity",
     meaning: "Dynamic viscosity",
     unit: "Pa s",
-    accepted: Accepted::NotNegative,
+    accepted: ConstantRange::NotNegative,
     given: ConstantDefault::Needed,
 };
 

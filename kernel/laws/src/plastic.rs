@@ -28,7 +28,7 @@ pub(super) const RELAXATION: Constant = Constant {
     key: "relaxation_time",
     meaning: "Time in which a stress beyond the yield surface returns to it (Duvaut and Lions 1972); 0 returns it at once",
     unit: "s",
-    accepted: super::Accepted::NotNegative,
+    accepted: super::ConstantRange::NotNegative,
     given: ConstantDefault::Or(0.0),
 };
 
@@ -45,7 +45,7 @@ pub struct ReturnedStress<L: Lanes> {
 
 /// A yield surface. The macro [`yielding_law`](crate::yielding_law) makes a [`Law`] of a type that has it: elastic until its
 /// trial stress lies beyond the surface.
-pub trait Yielding: fmt::Debug + PartialEq + Send + Sync + 'static {
+pub trait YieldSurface: fmt::Debug + PartialEq + Send + Sync + 'static {
     /// See [`Law::CONSTANTS`].
     const CONSTANTS: &'static [Constant];
 
@@ -101,7 +101,7 @@ pub trait Yielding: fmt::Debug + PartialEq + Send + Sync + 'static {
         variables: &[L],
     ) -> Option<ReturnedStress<L>>;
 
-    /// The end of the surface on the side of tension, for a law with a [`Yielding::GAP`]. Must be `#[inline(always)]`.
+    /// The end of the surface on the side of tension, for a law with a [`YieldSurface::GAP`]. Must be `#[inline(always)]`.
     fn tip<L: Lanes>(&self, _variables: &[L]) -> TensionApex<L> {
         TensionApex {
             tension: L::splat(0.0),
@@ -110,53 +110,54 @@ pub trait Yielding: fmt::Debug + PartialEq + Send + Sync + 'static {
     }
 }
 
-/// Makes a type with a yield surface ([`Yielding`]) a [`Law`].
+/// Makes a type with a yield surface ([`YieldSurface`]) a [`Law`].
 ///
 /// Elastic until the trial stress lies beyond the surface, and then as [`update`] returns it.
 #[macro_export]
 macro_rules! yielding_law {
     ($law:ty) => {
         impl $crate::Law for $law {
-            const CONSTANTS: &'static [$crate::Constant] = <Self as $crate::Yielding>::CONSTANTS;
-            const CURVES: &'static [$crate::Curve] = <Self as $crate::Yielding>::CURVES;
+            const CONSTANTS: &'static [$crate::Constant] =
+                <Self as $crate::YieldSurface>::CONSTANTS;
+            const CURVES: &'static [$crate::Curve] = <Self as $crate::YieldSurface>::CURVES;
             const VARIABLES: &'static [$crate::kernel::layout::Variable] =
-                <Self as $crate::Yielding>::VARIABLES;
+                <Self as $crate::YieldSurface>::VARIABLES;
             const YIELDS: bool = true;
 
             fn name(&self) -> &'static str {
-                $crate::Yielding::name(self)
+                $crate::YieldSurface::name(self)
             }
 
             fn values(&self) -> Vec<f64> {
-                $crate::Yielding::values(self)
+                $crate::YieldSurface::values(self)
             }
 
             fn curves(&self) -> Vec<$crate::Rows> {
-                $crate::Yielding::curves(self)
+                $crate::YieldSurface::curves(self)
             }
 
             fn problems(&self) -> Vec<$crate::InvalidConstant> {
-                $crate::Yielding::problems(self)
+                $crate::YieldSurface::problems(self)
             }
 
             fn warnings(&self) -> Vec<String> {
-                $crate::Yielding::warnings(self)
+                $crate::YieldSurface::warnings(self)
             }
 
             fn in_cells(&self, cell: f64) -> Option<Self> {
-                $crate::Yielding::in_cells(self, cell)
+                $crate::YieldSurface::in_cells(self, cell)
             }
 
             fn young(&self) -> f64 {
-                $crate::Law::young($crate::Yielding::elastic(self))
+                $crate::Law::young($crate::YieldSurface::elastic(self))
             }
 
             fn wave_speed(&self, density: f64) -> f64 {
-                $crate::Law::wave_speed($crate::Yielding::elastic(self), density)
+                $crate::Law::wave_speed($crate::YieldSurface::elastic(self), density)
             }
 
             fn parts(&self) -> bool {
-                <Self as $crate::Yielding>::GAP.is_some()
+                <Self as $crate::YieldSurface>::GAP.is_some()
             }
 
             #[inline(always)]
@@ -171,7 +172,7 @@ macro_rules! yielding_law {
 
             #[inline]
             fn energy(&self, particle: &$crate::Particle<'_>) -> f64 {
-                $crate::Law::energy($crate::Yielding::elastic(self), particle)
+                $crate::Law::energy($crate::YieldSurface::elastic(self), particle)
             }
 
             /// The plastic work.
@@ -190,7 +191,7 @@ macro_rules! yielding_law {
 /// elastic wave speed, which is the fastest; of a material that has parted that of the volume at which
 /// its gap closes.
 #[inline(always)]
-pub fn update<Y: Yielding, L: Lanes, const D: usize>(
+pub fn update<Y: YieldSurface, L: Lanes, const D: usize>(
     law: &Y,
     increment: &Increment<L>,
     stress: &mut Stress<L, D>,
@@ -273,7 +274,7 @@ pub fn update<Y: Yielding, L: Lanes, const D: usize>(
 
 /// Whether a gap of a group is open.
 #[inline(always)]
-fn parted<L: Lanes, Y: Yielding>(variables: &[L]) -> bool {
+fn parted<L: Lanes, Y: YieldSurface>(variables: &[L]) -> bool {
     match Y::GAP {
         Some(gap) => L::bits(L::splat(0.0).lt(variables[gap])) != 0,
         None => false,
@@ -283,7 +284,7 @@ fn parted<L: Lanes, Y: Yielding>(variables: &[L]) -> bool {
 /// The return of a group in which gaps were open: lanes whose gap still is carry what the tip does, others return as they
 /// would.
 #[inline(always)]
-fn opened<L: Lanes, Y: Yielding, const D: usize>(
+fn opened<L: Lanes, Y: YieldSurface, const D: usize>(
     law: &Y,
     trial: &[L; 6],
     variables: &[L],

@@ -1,6 +1,6 @@
 //! The pressure of a fluid as a function of its volume.
 
-use super::{Accepted, Constant, ConstantDefault, Increment};
+use super::{Constant, ConstantDefault, ConstantRange, Increment};
 use crate::functions;
 use proctor_kernel::lanes::Lanes;
 
@@ -9,7 +9,7 @@ pub(super) const BULK: Constant = Constant {
     key: "bulk",
     meaning: "Bulk modulus of the fluid",
     unit: "Pa",
-    accepted: Accepted::Positive,
+    accepted: ConstantRange::Positive,
     given: ConstantDefault::Needed,
 };
 
@@ -18,7 +18,7 @@ pub(super) const EXPONENT: Constant = Constant {
     key: "exponent",
     meaning: "Exponent n of the pressure K/n (J^-n - 1) of a volume ratio J (Tait); 0 is its limit, -K ln J",
     unit: "",
-    accepted: Accepted::NotNegative,
+    accepted: ConstantRange::NotNegative,
     given: ConstantDefault::Or(0.0),
 };
 

@@ -1,13 +1,13 @@
 //! Friction, cohesion, dilation and tensile strength, as the laws of soils and rocks share them.
 
-use super::{Accepted, Constant, ConstantDefault, InvalidConstant};
+use super::{Constant, ConstantDefault, ConstantRange, InvalidConstant};
 
 /// The angle of friction.
 pub(super) const FRICTION: Constant = Constant {
     key: "friction",
     meaning: "Angle of internal friction",
     unit: "°",
-    accepted: Accepted::From(0.0, 90.0),
+    accepted: ConstantRange::From(0.0, 90.0),
     given: ConstantDefault::Needed,
 };
 
@@ -16,7 +16,7 @@ pub(super) const COHESION: Constant = Constant {
     key: "cohesion",
     meaning: "Cohesion",
     unit: "Pa",
-    accepted: Accepted::NotNegative,
+    accepted: ConstantRange::NotNegative,
     given: ConstantDefault::Needed,
 };
 
@@ -25,7 +25,7 @@ pub(super) const DILATION: Constant = Constant {
     key: "dilation",
     meaning: "Angle of dilation, at most that of friction",
     unit: "°",
-    accepted: Accepted::Between(-90.0, 90.0),
+    accepted: ConstantRange::Between(-90.0, 90.0),
     given: ConstantDefault::Or(0.0),
 };
 
@@ -34,7 +34,7 @@ pub(super) const TENSILE: Constant = Constant {
     key: "tensile",
     meaning: "Tensile strength; 0 stands for the greatest that friction and cohesion admit, c cot(phi)",
     unit: "Pa",
-    accepted: Accepted::NotNegative,
+    accepted: ConstantRange::NotNegative,
     given: ConstantDefault::Or(0.0),
 };
 

@@ -1,7 +1,7 @@
 //! Elasticity that yields by the criterion of Tresca: Mohr and Coulomb without friction.
 
 use super::gap::TensionApex;
-use super::plastic::{RELAXATION, ReturnedStress, Yielding};
+use super::plastic::{RELAXATION, ReturnedStress, YieldSurface};
 use super::strength::{COHESION, TENSILE};
 use super::{Constant, InvalidConstant, LinearElastic, MohrCoulomb, Readable};
 use proctor_kernel::lanes::Lanes;
@@ -39,28 +39,28 @@ impl Tresca {
 
 crate::yielding_law!(Tresca);
 
-impl Yielding for Tresca {
+impl YieldSurface for Tresca {
     const CONSTANTS: &'static [Constant] =
         &[super::YOUNG, super::POISSON, COHESION, TENSILE, RELAXATION];
-    const VARIABLES: &'static [Variable] = <MohrCoulomb as Yielding>::VARIABLES;
-    const VOLUME: Option<usize> = <MohrCoulomb as Yielding>::VOLUME;
-    const GAP: Option<usize> = <MohrCoulomb as Yielding>::GAP;
+    const VARIABLES: &'static [Variable] = <MohrCoulomb as YieldSurface>::VARIABLES;
+    const VOLUME: Option<usize> = <MohrCoulomb as YieldSurface>::VOLUME;
+    const GAP: Option<usize> = <MohrCoulomb as YieldSurface>::GAP;
 
     fn name(&self) -> &'static str {
         Self::NAME
     }
 
     fn values(&self) -> Vec<f64> {
-        let of = Yielding::values(&self.0);
+        let of = YieldSurface::values(&self.0);
         vec![of[0], of[1], of[3], of[5], of[7]]
     }
 
     fn problems(&self) -> Vec<InvalidConstant> {
-        Yielding::problems(&self.0)
+        YieldSurface::problems(&self.0)
     }
 
     fn warnings(&self) -> Vec<String> {
-        Yielding::warnings(&self.0)
+        YieldSurface::warnings(&self.0)
     }
 
     fn elastic(&self) -> &LinearElastic {

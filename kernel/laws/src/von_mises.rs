@@ -1,11 +1,11 @@
 //! Elasticity that yields by the criterion of von Mises, with isotropic hardening.
 
 use super::marks::{CURVE, Marks};
-use super::plastic::{RELAXATION, ReturnedStress, Yielding};
+use super::plastic::{RELAXATION, ReturnedStress, YieldSurface};
 use super::tensor::components;
 use super::tensor::{deviator, second_invariant};
 use super::{
-    Accepted, Band, Choice, Constant, ConstantDefault, Curve, InvalidConstant, LinearElastic,
+    Band, Choice, Constant, ConstantDefault, ConstantRange, Curve, InvalidConstant, LinearElastic,
     Readable, Rows, band,
 };
 use crate::functions;
@@ -138,7 +138,7 @@ const ITERATIONS: usize = 3;
 
 crate::yielding_law!(VonMises);
 
-impl Yielding for VonMises {
+impl YieldSurface for VonMises {
     const CONSTANTS: &'static [Constant] = &[
         super::YOUNG,
         super::POISSON,
@@ -146,28 +146,28 @@ impl Yielding for VonMises {
             key: "yield_stress",
             meaning: "Stress at which it yields in uniaxial tension",
             unit: "Pa",
-            accepted: Accepted::Positive,
+            accepted: ConstantRange::Positive,
             given: ConstantDefault::Needed,
         },
         Constant {
             key: "hardening",
             meaning: "Growth of the yield stress with the plastic strain; negative where it softens",
             unit: "Pa",
-            accepted: Accepted::Finite,
+            accepted: ConstantRange::Finite,
             given: ConstantDefault::Or(0.0),
         },
         Constant {
             key: "hardening.saturation",
             meaning: "Growth of the yield stress that saturates with the plastic strain (Voce)",
             unit: "Pa",
-            accepted: Accepted::NotNegative,
+            accepted: ConstantRange::NotNegative,
             given: ConstantDefault::Or(0.0),
         },
         Constant {
             key: "hardening.rate",
             meaning: "How fast it saturates: it lacks exp(-rate times plastic strain) of its end",
             unit: "",
-            accepted: Accepted::NotNegative,
+            accepted: ConstantRange::NotNegative,
             given: ConstantDefault::Or(0.0),
         },
         RELAXATION,

@@ -10,7 +10,7 @@ pub struct Constant {
     /// SI unit; empty for a plain number.
     pub unit: &'static str,
     /// Which values.
-    pub accepted: Accepted,
+    pub accepted: ConstantRange,
     /// What it is where a scene does not say.
     pub given: ConstantDefault,
 }
@@ -28,7 +28,7 @@ pub enum ConstantDefault {
 
 /// Which values a constant may have.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Accepted {
+pub enum ConstantRange {
     /// Finite and greater than zero.
     Positive,
     /// Finite, zero or greater.
@@ -68,7 +68,7 @@ pub struct InvalidConstant {
     pub accepted: String,
 }
 
-impl Accepted {
+impl ConstantRange {
     /// Whether a value is accepted.
     #[must_use]
     pub fn holds(self, value: f64) -> bool {
@@ -88,13 +88,15 @@ impl Constant {
     #[must_use]
     pub fn words(&self) -> String {
         let number = match self.accepted {
-            Accepted::Positive => "a number greater than 0".to_owned(),
-            Accepted::NotNegative => "a number, 0 or greater".to_owned(),
-            Accepted::Between(low, high) => {
+            ConstantRange::Positive => "a number greater than 0".to_owned(),
+            ConstantRange::NotNegative => "a number, 0 or greater".to_owned(),
+            ConstantRange::Between(low, high) => {
                 format!("a number greater than {low} and less than {high}")
             }
-            Accepted::From(low, high) => format!("a number, {low} or greater and less than {high}"),
-            Accepted::Finite => "a finite number".to_owned(),
+            ConstantRange::From(low, high) => {
+                format!("a number, {low} or greater and less than {high}")
+            }
+            ConstantRange::Finite => "a finite number".to_owned(),
         };
         match self.unit {
             "" => number,

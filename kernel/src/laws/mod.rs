@@ -11,9 +11,9 @@ mod stress;
 pub mod tensor;
 
 pub use any::AnyLaw;
-pub use constants::{Accepted, Constant, ConstantDefault, Curve, InvalidConstant, Rows};
+pub use constants::{Constant, ConstantDefault, ConstantRange, Curve, InvalidConstant, Rows};
 pub use stored_particle::StoredParticle;
-pub use strain::{BLOCK, Block, Gradients, Strain, Strained};
+pub use strain::{BLOCK, Block, BlockStrain, Gradients, Strain};
 pub(crate) use strain::{HOOP, MOST_LANES};
 pub use stress::{Component, Stress};
 

@@ -77,7 +77,7 @@ pub struct Block<'a, 'b> {
 
 /// What was found in a block.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Strained {
+pub struct BlockStrain {
     /// Largest square of a wave speed \[m²/s²\].
     pub speed_squared: f64,
     /// Largest |dt grad v|² of a particle.
@@ -135,7 +135,7 @@ pub trait Strain: Any + fmt::Debug + Send + Sync {
     /// Whether another law is the same.
     fn equals(&self, other: &dyn Strain) -> bool;
     /// Strains a block of particles.
-    fn strain(&self, lanes: Selected, block: Block<'_, '_>) -> Strained;
+    fn strain(&self, lanes: Selected, block: Block<'_, '_>) -> BlockStrain;
 }
 
 impl<M: Law> Strain for M {
@@ -211,7 +211,7 @@ impl<M: Law> Strain for M {
         let other: &dyn Any = other;
         other.downcast_ref() == Some(self)
     }
-    fn strain(&self, lanes: Selected, block: Block<'_, '_>) -> Strained {
+    fn strain(&self, lanes: Selected, block: Block<'_, '_>) -> BlockStrain {
         match (block.layout.axes, block.layout.axisymmetric) {
             (2, false) => lanes.run(StrainKernel::<M, 2, 2>(self, block)),
             (2, true) => lanes.run(StrainKernel::<M, 2, 3>(self, block)),
@@ -283,10 +283,10 @@ const fn components(variables: &[Variable]) -> usize {
 struct StrainKernel<'a, 'b, 'm, M, const D: usize, const E: usize>(pub &'m M, pub Block<'a, 'b>);
 
 impl<M: Law, const D: usize, const E: usize> Kernel for StrainKernel<'_, '_, '_, M, D, E> {
-    type Output = Strained;
+    type Output = BlockStrain;
 
     #[inline(always)]
-    fn run<B: Backend>(self) -> Strained {
+    fn run<B: Backend>(self) -> BlockStrain {
         let Self(law, mut block) = self;
         let mut most = [B::Native::splat(0.0); 2];
         let mut fault = None;
@@ -304,7 +304,7 @@ impl<M: Law, const D: usize, const E: usize> Kernel for StrainKernel<'_, '_, '_,
             }
             at += count;
         }
-        Strained {
+        BlockStrain {
             speed_squared: most[0].largest(),
             increment_squared: most[1].largest(),
             fault,

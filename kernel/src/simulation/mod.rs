@@ -58,8 +58,8 @@ pub use values::{
     AbsorbingNode, BodyEnergy, BodyHandle, BodyRun, Bound, Clock, Drift, Energy, EnergyLedger,
     Event, EventKind, Extremes, Groups, InitialOverlap, InteractionError, InteractionFault,
     Invariant, InvariantMonitor, MESH, MOST_STRETCH_RATIO, MassCenter, NodalForce, ParticleAt,
-    RestoreError, Saved, SavedArrays, SetupError, Spin, State, StepError, StepErrorKind, StepInfo,
-    Tension, TimeStepAboveCritical, Violation,
+    RestoreError, SavedArrays, SavedState, SetupError, Spin, State, StepError, StepErrorKind,
+    StepInfo, Tension, TimeStepAboveCritical, Violation,
 };
 
 pub use model::Model;

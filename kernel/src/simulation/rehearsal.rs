@@ -7,7 +7,7 @@ use super::passes::VisitParts;
 use super::phase::PhaseTimer;
 use crate::grid::ActiveRows;
 use crate::simulation::context::{NodalConditions, Remap};
-use crate::simulation::values::{Saved, StepError, StepInfo};
+use crate::simulation::values::{SavedState, StepError, StepInfo};
 use crate::stage::g2p::Task;
 use crate::stage::p2g::Carry;
 use crate::stage::solve::PlaneSums;
@@ -58,7 +58,7 @@ impl Part {
 
 /// What a step changes and a rehearsal gives back: the state, and what can be asked of the last step beside it.
 struct StepSnapshot {
-    saved: Saved,
+    saved: SavedState,
     fields: Vec<(Owner, ActiveRows)>,
     slabs: Vec<Range<usize>>,
     sums: PlaneSums,

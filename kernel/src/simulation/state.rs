@@ -8,13 +8,13 @@ use super::Cycle;
 use super::interactions::Interaction;
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
-use crate::simulation::values::{RestoreError, Saved};
+use crate::simulation::values::{RestoreError, SavedState};
 
 impl Cycle {
     /// The state: a simulation of the same scene that takes it up goes on with the same bits.
     #[must_use]
-    pub fn save(&self) -> Saved {
-        Saved {
+    pub fn save(&self) -> SavedState {
+        SavedState {
             state: self.state.clone(),
             interactions: self.interactions().map(Interaction::save).collect(),
         }
@@ -27,7 +27,7 @@ impl Cycle {
     /// # Errors
     /// A state that is not one of such a scene, by the lengths of its lists and the places of its particles. The
     /// simulation is then as it was.
-    pub fn restore(&mut self, saved: Saved) -> Result<(), RestoreError> {
+    pub fn restore(&mut self, saved: SavedState) -> Result<(), RestoreError> {
         self.fits(&saved)?;
         let layouts: Vec<Layout> = self.state.sets.iter().map(|set| set.layout).collect();
         self.state = saved.state;
@@ -45,7 +45,7 @@ impl Cycle {
     }
 
     /// Whether a state can be one of this scene.
-    fn fits(&self, saved: &Saved) -> Result<(), RestoreError> {
+    fn fits(&self, saved: &SavedState) -> Result<(), RestoreError> {
         let (own, was) = (&self.state, &saved.state);
         same("bodies", own.sets.len(), was.sets.len())?;
         same("bodies", own.sets.len(), was.found.len())?;

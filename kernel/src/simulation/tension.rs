@@ -112,7 +112,7 @@ impl TensionWatch {
 
 /// The particle whose way has grown most.
 #[derive(Clone, Copy)]
-struct MostStretched {
+struct LargestStretch {
     set: usize,
     p: usize,
     logarithm: f64,
@@ -186,8 +186,8 @@ impl Cycle {
     }
 
     /// Adds the growth since the last look; the particle that has grown most, the first of them by its identifier.
-    fn grow(&self, watch: &mut TensionWatch) -> Option<MostStretched> {
-        let mut worst: Option<MostStretched> = None;
+    fn grow(&self, watch: &mut TensionWatch) -> Option<LargestStretch> {
+        let mut worst: Option<LargestStretch> = None;
         let mut most = 0.0_f64;
         for (set, growth) in watch.bodies.iter_mut().enumerate() {
             if self.model.bodies[set].motion.is_some() {
@@ -213,7 +213,7 @@ impl Cycle {
                     *logarithm > w.logarithm || same && particles.id[p] < particles.id[w.p]
                 });
                 if more {
-                    worst = Some(MostStretched {
+                    worst = Some(LargestStretch {
                         set,
                         p,
                         logarithm: *logarithm,

@@ -189,9 +189,9 @@ fn partial_loads_and_stores_touch_only_their_lanes() {
     }
 }
 
-struct Transposed;
+struct Transposition;
 
-impl Kernel for Transposed {
+impl Kernel for Transposition {
     type Output = ();
 
     #[inline(always)]
@@ -215,7 +215,7 @@ impl Kernel for Transposed {
 #[test]
 fn four_rows_of_four_lanes_are_transposed() {
     for backend in available() {
-        backend.run(Transposed);
+        backend.run(Transposition);
     }
 }
 

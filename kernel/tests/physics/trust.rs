@@ -145,11 +145,11 @@ fn a_step_that_strains_too_far_is_told_at_once() {
 }
 
 /// Has all nodes move faster and faster, and says by how much, or that they always did.
-struct Carried {
+struct NodeAcceleration {
     says_so: bool,
 }
 
-impl Condition for Carried {
+impl Condition for NodeAcceleration {
     fn after(&self, field: &mut FieldNodes<'_, '_>) {
         let (after, kick) = (field.time(), field.kick());
         let before = if self.says_so { after - kick } else { after };
@@ -164,7 +164,7 @@ fn momentum_from_nowhere_is_told() {
     scene.transfer = APIC;
     let carried = |says_so: bool| {
         let options = Options {
-            conditions: vec![Arc::new(Carried { says_so })],
+            conditions: vec![Arc::new(NodeAcceleration { says_so })],
             ..Options::default()
         };
         run(Simulation::new(&scene, &options).expect("sound"), 300)

@@ -2,7 +2,7 @@
 
 use crate::common::{options, run, simulation};
 use crate::properties::touching::{Touching, touching};
-use proctor_scene::simulation::{Options, RestoreError, Saved, Simulation};
+use proctor_scene::simulation::{Options, RestoreError, SavedState, Simulation};
 
 /// Steps after the state was taken up, enough for a sort.
 const STEPS: usize = 10;
@@ -45,7 +45,7 @@ fn a_state_taken_up_goes_on_with_the_same_bits() {
 }
 
 /// What is spoilt, and how; `false` where the scene has no such thing.
-type Spoil = (&'static str, fn(&mut Saved) -> bool);
+type Spoil = (&'static str, fn(&mut SavedState) -> bool);
 
 const SPOILS: [Spoil; 13] = [
     ("bodies", |s| s.state.sets.pop().is_some()),
@@ -72,7 +72,7 @@ const SPOILS: [Spoil; 13] = [
 ];
 
 /// Takes a number from the first list of an interaction whose name begins so.
-fn shorten(saved: &mut Saved, name: &str) -> bool {
+fn shorten(saved: &mut SavedState, name: &str) -> bool {
     let mut lists = saved.interactions.iter_mut().flatten();
     let list = lists.find(|(found, _)| found.starts_with(name));
     list.is_some_and(|(_, values)| values.pop().is_some())

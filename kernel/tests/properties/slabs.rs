@@ -8,11 +8,11 @@ use std::ops::Range;
 use std::sync::{Arc, Mutex};
 
 /// What a visit saw: the slabs, and their particles.
-type Seen = Arc<Mutex<Vec<Range<usize>>>>;
+type SlabLog = Arc<Mutex<Vec<Range<usize>>>>;
 
 /// Does nothing but to look at the slabs.
 #[derive(Clone)]
-struct Looks(Seen);
+struct Looks(SlabLog);
 
 impl Interaction for Looks {
     fn owners(&self) -> BodyList {
@@ -27,14 +27,14 @@ impl Interaction for Looks {
     ) {
         self.0.lock().expect("no panic").clone_from(&grid.slabs);
         for _ in &grid.slabs {
-            give(SlabPart::own(Nothing));
+            give(SlabPart::own(NoCorrection));
         }
     }
 }
 
-struct Nothing;
+struct NoCorrection;
 
-impl SlabInteraction for Nothing {
+impl SlabInteraction for NoCorrection {
     fn correct(&mut self, _: &mut Slab<'_>, _: &StepContext<'_>, _: &mut [PlaneSums]) {}
 }
 
@@ -48,7 +48,7 @@ fn slabs(
     let mut scene = empty(dimension, [cells + 6; 3], 0.1);
     let (from, to) = (0.3, 0.3 + 0.1 * cells as f64);
     scene.bodies = vec![body(1, cuboid([from; 3], [to; 3]))];
-    let seen = Seen::default();
+    let seen = SlabLog::default();
     let all = Options {
         threads: Some(threads),
         least_share,

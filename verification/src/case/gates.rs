@@ -1,7 +1,7 @@
 //! Gates and tables as data: the number that is bounded, on which rungs, the side, the bound and its reason.
 
 use super::wrong::Reference;
-use super::{Gate, Relation, Rung, Size, Solved, Verdict};
+use super::{Gate, Relation, Rung, RungResult, Size, Verdict};
 use crate::convergence::{ConvergenceTable, Row};
 
 /// The runs of a ladder, as they are judged. The number of a run that failed is NaN, which no gate passes.
@@ -11,7 +11,7 @@ pub struct Runs<'a> {
     /// All rungs, those that failed among them.
     pub rungs: &'a [Rung],
     /// The rungs that were solved.
-    pub solved: &'a [(Rung, Solved)],
+    pub solved: &'a [(Rung, RungResult)],
     /// The reference that they were compared with.
     pub reference: Reference,
 }
@@ -19,7 +19,7 @@ pub struct Runs<'a> {
 impl Runs<'_> {
     /// The run of the rung with that label.
     #[must_use]
-    pub fn run(&self, label: &str) -> Option<&Solved> {
+    pub fn run(&self, label: &str) -> Option<&RungResult> {
         let found = self.solved.iter().find(|(rung, _)| rung.label == label);
         found.map(|(_, solved)| solved)
     }

@@ -6,10 +6,10 @@ use proctor_scene::{OnImbalance, Scene};
 use super::gates::{GateRule, Runs, verdict};
 use super::value::{Build, Case, NO_WORD_OF_GUESTS, Solve};
 use super::wrong::{Reference, Wrong};
-use super::{CaseError, Rung, Size, Solved, Verdict};
+use super::{CaseError, Rung, RungResult, Size, Verdict};
 use crate::guest::Guest;
 use crate::settings::Settings;
-use crate::study::{Failure, Observer, Phase, Studied, Study};
+use crate::study::{Failure, Observer, Phase, Study, StudyResult};
 
 /// One run of a rung with settings, from its first step to its comparison.
 pub struct Run<'a> {
@@ -167,7 +167,7 @@ impl Case {
         rung: &Rung,
         options: &Options,
         progress: &mut dyn FnMut(f64),
-    ) -> Result<Solved, CaseError> {
+    ) -> Result<RungResult, CaseError> {
         let mut observer = |share| progress(share);
         if let Solve::Own(solve) = self.solve {
             return solve(rung, self.reference, options, &mut observer)
@@ -189,14 +189,14 @@ impl Case {
         rung: &Rung,
         options: &Options,
         references: &[Reference],
-    ) -> Option<Result<Vec<Solved>, CaseError>> {
+    ) -> Option<Result<Vec<RungResult>, CaseError>> {
         if let Some(refer) = self.refer {
             let solved = self.solve(rung, options, &mut |_| ());
-            let again = |reference: &Reference, mut solved: Solved| {
+            let again = |reference: &Reference, mut solved: RungResult| {
                 refer(rung, *reference, &mut solved);
                 solved
             };
-            let all = |solved: Solved| {
+            let all = |solved: RungResult| {
                 references
                     .iter()
                     .map(|r| again(r, solved.clone()))
@@ -212,7 +212,7 @@ impl Case {
             step(&mut run)?;
             let one = |reference: &Reference| {
                 run.reference = *reference;
-                Ok(Solved::new(compare(&mut run)?, run.simulation))
+                Ok(RungResult::new(compare(&mut run)?, run.simulation))
             };
             references.iter().map(one).collect()
         });
@@ -229,7 +229,7 @@ impl Case {
         settings: &Settings,
         options: &Options,
         observer: &mut dyn Observer,
-    ) -> Result<Studied, CaseError> {
+    ) -> Result<StudyResult, CaseError> {
         self.simulate(rung, settings, options, observer, |mut run| {
             let found = match self.solve {
                 Solve::Compare { step, compare } => {
@@ -241,7 +241,7 @@ impl Case {
                     return Err("the case has a solver of its own, without settings".into());
                 }
             };
-            Ok(Studied::new(found, run.simulation))
+            Ok(StudyResult::new(found, run.simulation))
         })
     }
 
@@ -282,7 +282,7 @@ impl Case {
     /// Tables and gates over the rungs that were solved, in the order of [`Case::rungs`]. A rung that is missing, because it
     /// failed, makes the gates that need it fail.
     #[must_use]
-    pub fn judge(&self, size: Size, solved: &[(Rung, Solved)]) -> Verdict {
+    pub fn judge(&self, size: Size, solved: &[(Rung, RungResult)]) -> Verdict {
         let runs = Runs {
             size,
             rungs: &self.rungs(size),

@@ -11,7 +11,7 @@ use super::gates::{GateRule, Runs, Scope, TableRule};
 use super::ladder::Ladder;
 use super::run::Run;
 use super::wrong::{Reference, Wrong};
-use super::{Found, Rung, Size, Solved, Verdict};
+use super::{Measurements, Rung, RungResult, Size, Verdict};
 use crate::guest::Guest;
 use crate::settings::{Method, Settings};
 use crate::study::{Failure, Measure, Observer};
@@ -32,12 +32,12 @@ pub(super) enum Solve {
     /// Steps a simulation of the scene, then compares it with one reference or several.
     Compare {
         step: fn(&mut Run<'_>) -> Result<(), Failure>,
-        compare: fn(&mut Run<'_>) -> Result<Found, Failure>,
+        compare: fn(&mut Run<'_>) -> Result<Measurements, Failure>,
     },
     /// Compares while it steps.
-    Run(fn(Run<'_>) -> Result<Found, Failure>),
+    Run(fn(Run<'_>) -> Result<Measurements, Failure>),
     /// All by itself, with the reference.
-    Own(fn(&Rung, Reference, &Options, &mut dyn Observer) -> Result<Solved, Failure>),
+    Own(fn(&Rung, Reference, &Options, &mut dyn Observer) -> Result<RungResult, Failure>),
 }
 
 /// A study of error against run time: the path of refinement and the errors that are studied.
@@ -112,7 +112,7 @@ pub struct Case {
     pub(super) tables: &'static [TableRule],
     pub(super) judge: Option<fn(&Runs<'_>) -> Verdict>,
     pub(super) wrong: &'static [Wrong],
-    pub(super) refer: Option<fn(&Rung, Reference, &mut Solved)>,
+    pub(super) refer: Option<fn(&Rung, Reference, &mut RungResult)>,
     pub(super) reference: Reference,
     pub(super) studies: Result<&'static [Plan], &'static str>,
     pub(super) guest_path: Option<&'static Plan>,
@@ -215,7 +215,7 @@ impl Case {
 
     /// Compares a simulation of the scene with the reference after all its equal steps.
     #[must_use]
-    pub const fn compare(self, compare: fn(&mut Run<'_>) -> Result<Found, Failure>) -> Self {
+    pub const fn compare(self, compare: fn(&mut Run<'_>) -> Result<Measurements, Failure>) -> Self {
         self.compare_after(all_steps, compare)
     }
 
@@ -224,7 +224,7 @@ impl Case {
     pub const fn compare_after(
         mut self,
         step: fn(&mut Run<'_>) -> Result<(), Failure>,
-        compare: fn(&mut Run<'_>) -> Result<Found, Failure>,
+        compare: fn(&mut Run<'_>) -> Result<Measurements, Failure>,
     ) -> Self {
         self.solve = Solve::Compare { step, compare };
         self
@@ -232,7 +232,7 @@ impl Case {
 
     /// Steps a simulation of the scene to its end, and compares it on the way.
     #[must_use]
-    pub const fn run(mut self, run: fn(Run<'_>) -> Result<Found, Failure>) -> Self {
+    pub const fn run(mut self, run: fn(Run<'_>) -> Result<Measurements, Failure>) -> Self {
         self.solve = Solve::Run(run);
         self
     }
@@ -241,7 +241,7 @@ impl Case {
     #[must_use]
     pub const fn solve_by(
         mut self,
-        solve: fn(&Rung, Reference, &Options, &mut dyn Observer) -> Result<Solved, Failure>,
+        solve: fn(&Rung, Reference, &Options, &mut dyn Observer) -> Result<RungResult, Failure>,
     ) -> Self {
         self.solve = Solve::Own(solve);
         self
@@ -294,7 +294,7 @@ impl Case {
 
     /// Compares a run again, where no more than exact values depend on the reference.
     #[must_use]
-    pub const fn refer_by(mut self, refer: fn(&Rung, Reference, &mut Solved)) -> Self {
+    pub const fn refer_by(mut self, refer: fn(&Rung, Reference, &mut RungResult)) -> Self {
         self.refer = Some(refer);
         self
     }

@@ -24,7 +24,7 @@ const POISSON: f64 = 0.3;
 const DENSITY: f64 = 1000.0;
 const SPEED: f64 = 2e-2; // Speed of the corners over the wave speed
 /// Name of what the angular momentum changes by.
-const DRIFT: &str = "angular momentum lost in a turn, over it";
+const DRIFT: &str = "angular momentum lost in a turn over the initial";
 /// The same, as a figure that nothing exact says.
 const DRIFT_STATED: &str = "angular momentum lost in a turn";
 /// Largest kinetic and strain energy over that of the start, less 1.
@@ -137,7 +137,7 @@ fn start(_: &Rung, _: Reference, options: Options) -> Options {
     })
 }
 
-fn compare(run: Run<'_>) -> Result<Found, Failure> {
+fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
     let (steps, reference) = (run.equal_steps(), run.reference.of(&WRONG_MOMENTUM));
     let rung = run.rung;
     let (simulation, observer) = (run.simulation, run.observer);
@@ -169,7 +169,7 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
     quantities.push(Quantity::figure(GAIN, gain, "1"));
     let title = format!("change of the angular momentum, {}", rung.label);
     let curve = Curve::new(title, ["turns", "change / initial"], points);
-    Ok(Found::of(quantities).drawn(curve))
+    Ok(Measurements::of(quantities).drawn(curve))
 }
 
 /// Losses and gains, for the record.

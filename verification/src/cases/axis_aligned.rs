@@ -204,7 +204,7 @@ fn start<const D: usize>(rung: &Rung, _: Reference, options: Options) -> Options
     driven(options, move |x, t| in_space(force.body_force(first(x), t)))
 }
 
-fn compare<const D: usize>(run: &mut Run<'_>) -> Result<Found, Failure> {
+fn compare<const D: usize>(run: &mut Run<'_>) -> Result<Measurements, Failure> {
     let (exact, t) = (
         exact::<D>(run.rung, run.reference.of(&WRONG_AMPLITUDE)),
         run.time(),
@@ -216,5 +216,5 @@ fn compare<const D: usize>(run: &mut Run<'_>) -> Result<Found, Failure> {
             [xx, yy, zz, 0.0, 0.0, 0.0]
         },
     );
-    Ok(Found::of(quantities))
+    Ok(Measurements::of(quantities))
 }

@@ -99,7 +99,7 @@ fn start(_: &Rung, _: Reference, options: Options) -> Options {
     })
 }
 
-fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
+fn compare(run: &mut Run<'_>) -> Result<Measurements, Failure> {
     let (exact, t) = (exact(run.reference.of(&WRONG_STIFFNESS)), run.time());
     let quantities = run.errors(
         |x| [exact.displacement(x[0], t), 0.0, 0.0],
@@ -111,5 +111,5 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
     });
     let title = format!("stress along the bar at {t:.2} s, {}", run.rung.label);
     let curve = points.map(|points| Curve::new(title, ["x (m)", "stress / (E v0/c)"], points));
-    Ok(Found::of(quantities).drawn(curve))
+    Ok(Measurements::of(quantities).drawn(curve))
 }

@@ -75,7 +75,7 @@ fn still_swinging(rung: &Rung) -> Guest {
     let moving = move |x: &Vector, t| [exact.velocity(x[0], t), 0.0, 0.0];
     let start = move |x: &Vector| moving(x, 0.0);
     Guest {
-        compared: Compared::Velocity,
+        compared: ComparedField::Velocity,
         ..guest::start::moving(rung, scene, 1, exact.wave_speed(), start, moving)
     }
 }
@@ -144,7 +144,7 @@ fn start(rung: &Rung, _: Reference, options: Options) -> Options {
     })
 }
 
-fn compare(mut run: Run<'_>) -> Result<Found, Failure> {
+fn compare(mut run: Run<'_>) -> Result<Measurements, Failure> {
     let end = run.simulation.scene().time;
     let quantity = match kept(&mut run) {
         Ok(kept) => Quantity::compared(ENERGY, kept, run.reference.of(&WRONG_ENERGY), "1"),
@@ -154,7 +154,7 @@ fn compare(mut run: Run<'_>) -> Result<Found, Failure> {
         }
         Err(failure) => return Err(failure),
     };
-    Ok(Found::of([quantity]))
+    Ok(Measurements::of([quantity]))
 }
 
 fn is_linear(rung: &Rung) -> bool {

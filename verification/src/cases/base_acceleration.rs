@@ -44,8 +44,8 @@ const TOP: &str = "v(H, 0.2 s), A = 0.3 m/s"; // Name of the top velocity among 
 const UPPERMOST: &str = "v(H - h/4, 0.2 s)"; // Name of the velocity of the uppermost particles
 const L2: &str = "L2(v), column and time"; // Name of the error over column and time
 /// Name of the distance of the base from the record.
-const BASE: &str = "base velocity off by, over A";
-const LOWEST: &str = "lowest particles off by, over A"; // Name of the same for the lowest particles
+const BASE: &str = "difference of the base velocity over A";
+const LOWEST: &str = "difference of the lowest particles over A"; // Name of the same for the lowest particles
 
 const WRONG_STIFFNESS: Wrong =
     Wrong::factor("stiffness", 1.01).breaks(|gate| !gate.starts_with("manual"));
@@ -150,7 +150,7 @@ fn options(_rung: &Rung, _: Reference, options: Options) -> Options {
     }
 }
 
-fn compare(run: Run<'_>) -> Result<Found, Failure> {
+fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
     let (rung, settings, reference) = (run.rung, run.settings, run.reference);
     let (simulation, observer) = (run.simulation, run.observer);
     match problem(rung, settings) {
@@ -167,7 +167,7 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
                 ratio(L2, response.l2),
                 ratio(STRESS, response.stress),
             ];
-            Ok(Found::of(quantities).drawn(response.curve))
+            Ok(Measurements::of(quantities).drawn(response.curve))
         }
         Problem::Block(_) => {
             let distance = manual::run(simulation, reference.of(&WRONG_FREQUENCY), observer)?;
@@ -175,7 +175,7 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
                 ratio(BASE, Some(distance.plane)),
                 ratio(LOWEST, Some(distance.lowest)),
             ];
-            Ok(Found::of(quantities))
+            Ok(Measurements::of(quantities))
         }
     }
 }

@@ -36,7 +36,7 @@ const TOTAL: &str = "contact force on the block over its weight"; // Name of the
 /// Name of the difference of the pillars' shares.
 const SHARES: &str = "difference of the pillars' loads, over the weight";
 /// Name of the balance of momentum.
-const MOMENTUM: &str = "impulse less change of momentum, over that of the weight";
+const MOMENTUM: &str = "impulse minus change of momentum over the impulse of the weight";
 /// Name of the sum of the forces on all bodies.
 const SUM: &str = "sum of the forces on all bodies, over the weight";
 
@@ -201,7 +201,7 @@ fn scene(rung: &Rung, settings: &Settings, reference: Reference) -> Scene {
     scene
 }
 
-fn compare(run: Run<'_>) -> Result<Found, Failure> {
+fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
     let reference = run.reference;
     let (simulation, observer) = (run.simulation, run.observer);
     let up = simulation.scene().dimension.axes() - 1;
@@ -231,7 +231,7 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
         }
         window.sum = sum.iter().fold(window.sum, |most, f| most.max(f.abs()));
     })?;
-    Ok(Found::of(quantities(
+    Ok(Measurements::of(quantities(
         reference, simulation, &window, before,
     )))
 }

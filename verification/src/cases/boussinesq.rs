@@ -126,7 +126,7 @@ fn settle(run: &mut Run<'_>) -> Result<(), Failure> {
     run.relax(QUARTER_LOAD, target, SIDE)
 }
 
-fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
+fn compare(run: &mut Run<'_>) -> Result<Measurements, Failure> {
     let poisson = run.reference.of(&WRONG_POISSON);
     let exact = model::exact(Loading::of_word(run.rung.variant), poisson)?;
     let comparison =
@@ -140,7 +140,7 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
         Quantity::balance(RESIDUAL, run.residual, "1"),
     ];
     let curve = comparison.curve(format!("settlement on the axis, {}", run.rung.label));
-    Ok(Found::of(quantities).drawn(curve))
+    Ok(Measurements::of(quantities).drawn(curve))
 }
 
 fn path(size: Size) -> Vec<Rung> {

@@ -149,7 +149,7 @@ fn start(rung: &Rung, _: Reference, options: Options) -> Options {
     })
 }
 
-fn compare(run: Run<'_>) -> Result<Found, Failure> {
+fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
     let rung = run.rung;
     let lowest = round(rung.variant).lowest(POISSON);
     let vibration = Vibration {

@@ -19,7 +19,7 @@
 
 mod hanging;
 
-use self::hanging::{FARTHEST, FROM_PARTICLES, FROM_REFERENCE, Hanging, nearest, rms};
+use self::hanging::{FARTHEST, FROM_PARTICLES, FROM_REFERENCE, HangingShape, nearest, rms};
 use super::prelude::*;
 use crate::exact::cantilever::Cantilever as Exact;
 use crate::exact::fe::NeoHookean;
@@ -73,7 +73,7 @@ type NewGate = fn(String, f64, f64, &'static str) -> Gate;
 
 /// What the finite elements say of a gravity.
 #[derive(Debug)]
-struct Known {
+struct ReferenceTip {
     /// Vertical displacement of the followed particle of each of [`CELLS`], at each interval \[m\].
     tips: [Vec<f64>; CELLS.len()],
     /// Displacement at [`HANGING`] of the points of the boundary of [`JUDGED`] \[m\].
@@ -102,14 +102,14 @@ fn courant(variant: &str) -> f64 {
 }
 
 /// The reference of a variant; that of the case as it is meant is computed once.
-fn known(reference: Reference, variant: &str) -> Result<&'static Known, String> {
-    static GIVEN: [OnceLock<Result<Known, String>>; 2] = [OnceLock::new(), OnceLock::new()];
+fn known(reference: Reference, variant: &str) -> Result<&'static ReferenceTip, String> {
+    static GIVEN: [OnceLock<Result<ReferenceTip, String>>; 2] = [OnceLock::new(), OnceLock::new()];
     let given = &GIVEN[usize::from(!small(variant))];
     let gravity = gravity(variant) * reference.of(&WRONG_GRAVITY);
-    known_reference(given, reference.is_correct(), || Known::new(gravity))
+    known_reference(given, reference.is_correct(), || ReferenceTip::new(gravity))
 }
 
-impl Known {
+impl ReferenceTip {
     fn new(gravity: f64) -> Result<Self, String> {
         let beam = Exact {
             length: LENGTH,
@@ -313,7 +313,7 @@ fn prepare(rung: &Rung, reference: Reference) {
     let _ = known(reference, rung.variant);
 }
 
-fn compare(run: Run<'_>) -> Result<Found, Failure> {
+fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
     let (rung, reference) = (run.rung, run.reference);
     let (simulation, observer) = (run.simulation, run.observer);
     let tip = tip_particle(simulation, rung.cell)?;
@@ -323,7 +323,7 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
     let look = |simulation: &Simulation, k: usize| {
         history.push(displacement(simulation, tip)?[1]);
         if let (true, Some(starts)) = (k == (HANGING / INTERVAL) as usize, &starts) {
-            hanging = Some(Hanging::new(simulation, starts)?);
+            hanging = Some(HangingShape::new(simulation, starts)?);
         }
         Ok(())
     };
@@ -351,7 +351,7 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
         let sound = ![NO_SPIN, NO_AUGMENTATION].contains(&rung.variant);
         quantities.extend(hanging.quantities(&reference.boundary, sound));
     }
-    Ok(Found::of(quantities).drawn(curve))
+    Ok(Measurements::of(quantities).drawn(curve))
 }
 
 fn path(size: Size) -> Vec<Rung> {

@@ -103,7 +103,7 @@ fn start(rung: &Rung, _: Reference, options: Options) -> Options {
     }))
 }
 
-fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
+fn compare(run: &mut Run<'_>) -> Result<Measurements, Failure> {
     let exact = exact(run.reference.of(&WRONG_SPEED));
     let (simulation, t) = (&*run.simulation, run.time());
     let mut points = vec![];
@@ -123,5 +123,5 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
         ["distance from the middle (m)", "displacement (m)"],
         points,
     );
-    Ok(Found::of([ratio(DISPLACEMENT, displacement)]).drawn(curve))
+    Ok(Measurements::of([ratio(DISPLACEMENT, displacement)]).drawn(curve))
 }

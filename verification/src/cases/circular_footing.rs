@@ -97,7 +97,7 @@ fn solve(
     reference: Reference,
     options: &Options,
     observer: &mut dyn Observer,
-) -> Result<Solved, Failure> {
+) -> Result<RungResult, Failure> {
     let (way, time) = (way(rung), time());
     let down = move |t: f64| -way / time * smooth(t / time)[1];
     let press = Press::smooth(DEEP, rung.cell, down).up_to(RADIUS);
@@ -132,7 +132,7 @@ fn solve(
                 points,
             );
             let load = Quantity::compared(LOAD, pressure, known, "Pa");
-            Ok(Found::of([load]).drawn(curve))
+            Ok(Measurements::of([load]).drawn(curve))
         },
     )?;
     refer(rung, reference, &mut solved);
@@ -140,7 +140,7 @@ fn solve(
 }
 
 /// Results do not depend on the reference, but for the exact value beside them.
-fn refer(rung: &Rung, reference: Reference, solved: &mut Solved) {
+fn refer(rung: &Rung, reference: Reference, solved: &mut RungResult) {
     for q in &mut solved.quantities {
         *q = Quantity::compared(q.name, q.value, exact(reference, rung), q.unit);
     }

@@ -123,7 +123,7 @@ impl Column {
 }
 
 const WRONG_WORK: Wrong =
-    Wrong::factor("work of gravity", 0.5).breaks_only(|gate| gate.contains("from nowhere"));
+    Wrong::factor("work of gravity", 0.5).breaks_only(|gate| gate.contains("energy gained"));
 
 /// Columns that are let go.
 pub static COLLAPSE: Case = Case::new(
@@ -137,7 +137,7 @@ pub static COLLAPSE: Case = Case::new(
 .wrong_references(&[WRONG_WORK])
 .no_study("nothing exact is known of a heap but balances, which hold whatever the settings");
 
-fn found(rung: &Rung, mut run: RunOut) -> Found {
+fn found(rung: &Rung, mut run: RunOut) -> Measurements {
     let column = Column::of(rung);
     let [far, high] = column.published();
     let of = |name: &str| {
@@ -169,12 +169,12 @@ fn found(rung: &Rung, mut run: RunOut) -> Found {
     });
     let curve = Curve::new(
         format!("front of the column, {}", rung.label),
-        ["time over sqrt(H/g)", "way of the front over width"],
+        ["time over sqrt(H/g)", "distance of the front over width"],
         points,
     );
-    Found {
+    Measurements {
         drawings: vec![run.drawing],
-        ..Found::of(run.quantities).drawn(curve)
+        ..Measurements::of(run.quantities).drawn(curve)
     }
 }
 
@@ -262,7 +262,7 @@ fn scene(rung: &Rung, _: &Settings) -> Scene {
     scene
 }
 
-fn compare(run: Run<'_>) -> Result<Found, Failure> {
+fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
     let work = run.reference.of(&WRONG_WORK);
     let ran = run_out::run(run.simulation, work, run.observer)?;
     Ok(found(run.rung, ran))

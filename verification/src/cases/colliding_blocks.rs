@@ -23,14 +23,14 @@ use crate::exact::bar_impact::BarImpact;
 use scenes::{VARIANTS, Variant};
 
 /// Name of the change of momentum among the quantities.
-const MOMENTUM: &str = "momentum lost, over that of both";
+const MOMENTUM: &str = "momentum lost over the momentum of both bodies";
 const ENERGY: &str = "energy gained, over the initial"; // Name of the largest gain of energy
 const LOST: &str = "energy dissipated, over the initial"; // Name of the energy at the end
 const DURATION: &str = "duration"; // Name of the duration
 const RESTITUTION: &str = "restitution"; // Name of the coefficient of restitution
 const IMPULSE: &str = "impulse"; // Name of the impulse
 /// Name of what the impulse differs by from the momentum that the first bar lost.
-const BALANCE: &str = "impulse less the momentum that it took, over it";
+const BALANCE: &str = "impulse minus change of momentum over the impulse";
 
 const WRONG_STIFFNESS: Wrong =
     Wrong::factor("stiffness", 0.7).breaks(|gate| gate.contains("duration"));
@@ -76,7 +76,7 @@ fn parted(rung: &Rung) -> Result<Guest, &'static str> {
     };
     let velocity = move |_: &Vector, _| [after[1], 0.0, 0.0];
     Ok(Guest {
-        compared: Compared::Velocity,
+        compared: ComparedField::Velocity,
         norm: Norm::Mean(0),
         counts: Box::new(move |x| x[0] > p1[0]),
         ..Guest::new(guest::prepared(guest::slab(scene), 1, step), velocity).at_the_end()
@@ -202,12 +202,12 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
     scene
 }
 
-fn compare(run: Run<'_>) -> Result<Found, Failure> {
+fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
     let (rung, reference) = (run.rung, run.reference);
     let (simulation, observer) = (run.simulation, run.observer);
     let seen = collide(simulation, observer)?;
     let quantities = quantities(reference, &variant(rung), simulation, &seen);
-    Ok(Found::of(quantities))
+    Ok(Measurements::of(quantities))
 }
 
 fn path(size: Size) -> Vec<Rung> {

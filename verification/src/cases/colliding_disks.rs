@@ -118,7 +118,7 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
     })
 }
 
-fn compare(run: Run<'_>) -> Result<Found, Failure> {
+fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
     let (rung, simulation, observer) = (run.rung, run.simulation, run.observer);
     let (restitution, exact) = known(run.reference)?;
     let energies = |s: &Simulation| [s.kinetic_energy(), s.strain_energy()];
@@ -161,5 +161,5 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
         ["t in s", "1"],
         points,
     );
-    Ok(Found::of(quantities).drawn(curve))
+    Ok(Measurements::of(quantities).drawn(curve))
 }

@@ -20,7 +20,7 @@ const SOILS: [(&str, Option<f64>); 4] = [
 const SPEED: f64 = 1e-6; // Amplitude of the velocity [m/s]
 const END: f64 = 0.2; // Time of the comparison, in periods
 const TOTAL: &str = "L2(mean total stress of cells)";
-const OFF: &str = "off the solid of one phase";
+const OFF: &str = "difference from the solid of one phase";
 const WRONG_MODULUS: Wrong = Wrong::factor("modulus", 1.05).breaks_only(|gate| !gate.contains(OFF));
 
 /// The column that nothing drains.
@@ -109,7 +109,7 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
     }
 }
 
-fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
+fn compare(run: &mut Run<'_>) -> Result<Measurements, Failure> {
     let (mut exact, t) = (exact(), run.time());
     exact.modulus *= run.reference.of(&WRONG_MODULUS);
     let simulation = &*run.simulation;
@@ -150,7 +150,7 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
         });
         quantities.push(ratio(OFF, off));
     }
-    Ok(Found::of(quantities))
+    Ok(Measurements::of(quantities))
 }
 
 /// The same scene of one phase, at its end.

@@ -52,7 +52,7 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
     scene
 }
 
-fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
+fn compare(run: &mut Run<'_>) -> Result<Measurements, Failure> {
     let (_, conductivity) = SOILS[*run.rung.problem::<usize>()];
     let mut column = exact_column(conductivity);
     column.load *= run.reference.of(&WRONG_LOAD);
@@ -70,5 +70,5 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
             off = off.max((p - exact.mean_pressure(low, high)).abs() / undrained);
         }
     }
-    Ok(Found::of([ratio(PRESSURE, Some(off))]))
+    Ok(Measurements::of([ratio(PRESSURE, Some(off))]))
 }

@@ -14,7 +14,7 @@ const MODES: usize = 500; // All digits that are compared
 const PRESSURE: &str = "max(p)";
 const EFFECTIVE: &str = "max(effective stress)";
 const TOP: &str = "settlement of the top";
-const LOST: &str = "energy that no channel accounts for, over the work";
+const LOST: &str = "unaccounted energy over the work";
 
 const WRONG_CONDUCTIVITY: Wrong = Wrong::factor("conductivity", 1.05)
     .breaks_only(|gate| !gate.contains("energy") && !gate.contains("one over"));
@@ -80,7 +80,7 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
     scene
 }
 
-fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
+fn compare(run: &mut Run<'_>) -> Result<Measurements, Failure> {
     let (_, conductivity, _) = SOILS[*run.rung.problem::<usize>()];
     let mut column = exact_column(conductivity);
     // The load of the scene came on in the time of the correct column.
@@ -120,7 +120,7 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
     let title = format!("pore pressure after {} s, {}", run.time(), run.rung.label);
     let axes = ["height (m)", "pressure / load"];
     Ok(
-        Found::of(quantities.into_iter().chain(top).collect::<Vec<_>>())
+        Measurements::of(quantities.into_iter().chain(top).collect::<Vec<_>>())
             .drawn(Curve::new(title, axes, points)),
     )
 }

@@ -115,7 +115,7 @@ fn pressure(rung: &Rung, reference: Reference, depth: f64) -> f64 {
     (0..PIECES).map(of_piece).sum()
 }
 
-fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
+fn compare(run: &mut Run<'_>) -> Result<Measurements, Failure> {
     let (h, reference) = (run.rung.cell, run.reference);
     let mut off = [0.0_f64; 2];
     let mut points = vec![];
@@ -131,7 +131,7 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
     }
     let title = format!("pore pressure after {} s, {}", run.time(), run.rung.label);
     let curve = Curve::new(title, ["height (m)", "pressure / load"], points);
-    Ok(Found::of([
+    Ok(Measurements::of([
         ratio(PRESSURE, Some(off[0])),
         ratio(EFFECTIVE, Some(off[1])),
     ])

@@ -38,8 +38,8 @@ const LOOKS: u32 = 40;
 const PRESSED: f64 = 1e-6;
 
 const WAY: &str = "displacement";
-const TOTAL: &str = "friction of the block beyond its most";
-const VERTEX: &str = "friction of a vertex beyond its most";
+const TOTAL: &str = "friction of the block beyond its limit";
+const VERTEX: &str = "friction of a vertex beyond its limit";
 
 /// Variants, by who is the slave.
 const SLAVE: &str = "block as slave";
@@ -145,7 +145,7 @@ fn scene(rung: &Rung, settings: &Settings, reference: Reference) -> Scene {
     scene
 }
 
-fn compare(run: Run<'_>) -> Result<Found, Failure> {
+fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
     let (rung, reference) = (run.rung, run.reference);
     let (simulation, observer) = (run.simulation, run.observer);
     let exact = exact();
@@ -190,5 +190,5 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
         ["t in s", "u_x in m"],
         points,
     );
-    Ok(Found::of(quantities).drawn(curve))
+    Ok(Measurements::of(quantities).drawn(curve))
 }

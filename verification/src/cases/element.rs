@@ -37,7 +37,7 @@ const RATE: f64 = 1.5;
 const BULK: f64 = 1.0e4; // Bulk modulus of the fluid [Pa]
 const BEYOND: f64 = 4.0; // Strain at the end of a path over that at which it first yields
 
-const STRESS: &str = "stress off by, over its size"; // Names of the quantities of paths
+const STRESS: &str = "difference of stress over the stress"; // Names of the quantities of paths
 /// Steps of a path whose answer does not depend on them, and of one of order 1.
 const ANY: &[u32] = &[1, 10, 100];
 const LADDER: [&[u32]; 2] = [&[50, 100, 200], &[50, 100, 200, 400, 800]];
@@ -377,7 +377,7 @@ pub static ELEMENT: Case = Case::new(
 .wrong_references(&[WRONG_STIFFNESS, WRONG_STRENGTH])
 .no_study("no grid takes part, so that weighting functions, schemes and transfers have no say");
 
-fn found(reference: Reference, path: &Path, steps: u32) -> Result<Found, String> {
+fn found(reference: Reference, path: &Path, steps: u32) -> Result<Measurements, String> {
     let states = path.walk(steps)?;
     let stiffer = reference.of(&WRONG_STIFFNESS);
     let (way, found) = states[states.len() - 1];
@@ -387,7 +387,7 @@ fn found(reference: Reference, path: &Path, steps: u32) -> Result<Found, String>
     let off = known().map(|(found, s)| (found - s).abs());
     let off = off.fold(0.0, |most, x| if x <= most { most } else { x });
     let quantities = vec![Quantity::of_zero(STRESS, off / size)];
-    Ok(Found::of(quantities).drawn(path.curve(&states, stiffer)))
+    Ok(Measurements::of(quantities).drawn(path.curve(&states, stiffer)))
 }
 
 /// Steps, or states, of a rung.
@@ -458,15 +458,15 @@ fn solve(
     reference: Reference,
     _: &Options,
     observer: &mut dyn Observer,
-) -> Result<Solved, Failure> {
+) -> Result<RungResult, Failure> {
     let found = match path_of(rung) {
         Some(path) => found(reference, path, count(rung)),
         None => returns::quantities(count(rung), reference.of(&WRONG_STRENGTH), &mut |share| {
             observer.progress(share);
         })
-        .map(Found::of),
+        .map(Measurements::of),
     }?;
-    Ok(Solved {
+    Ok(RungResult {
         particles: 1,
         steps: u64::from(count(rung)),
         time: 1.0,

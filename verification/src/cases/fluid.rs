@@ -25,7 +25,7 @@ struct Problem {
     /// Cells, coarse to fine; the full ladder has one more.
     cells: &'static [u32],
     scene: fn(&Rung) -> Scene,
-    run: fn(Reference, &Rung, &mut Simulation, &mut dyn Observer) -> Result<Found, Failure>,
+    run: fn(Reference, &Rung, &mut Simulation, &mut dyn Observer) -> Result<Measurements, Failure>,
     gates: &'static [GateRule],
     /// Quantities of its table.
     names: &'static [&'static str],
@@ -111,7 +111,7 @@ fn scene(rung: &Rung, _: &Settings) -> Scene {
     (problem(rung).scene)(rung)
 }
 
-fn compare(run: Run<'_>) -> Result<Found, Failure> {
+fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
     let (rung, reference) = (run.rung, run.reference);
     let (simulation, observer) = (run.simulation, run.observer);
     (problem(rung).run)(reference, rung, simulation, observer)

@@ -204,7 +204,7 @@ fn exact_load(reference: Reference, rung: &Rung) -> f64 {
 }
 
 /// Results do not depend on the reference, but for the exact value beside them.
-fn refer(rung: &Rung, reference: Reference, solved: &mut Solved) {
+fn refer(rung: &Rung, reference: Reference, solved: &mut RungResult) {
     for q in &mut solved.quantities {
         if let Some(exact) = q.exact.as_mut() {
             *exact = exact_load(reference, rung);
@@ -220,7 +220,7 @@ fn sink(
     press: &Press,
     simulation: &mut Simulation,
     observer: &mut dyn Observer,
-) -> Result<Found, Failure> {
+) -> Result<Measurements, Failure> {
     let variant = *rung.problem::<Variant>();
     let exact = exact_load(reference, rung);
     let (mut points, mut pressure, mut given) = (vec![], f64::NAN, 0.0);
@@ -254,7 +254,7 @@ fn sink(
         ],
         points,
     );
-    Ok(Found::of(quantities).drawn(curve))
+    Ok(Measurements::of(quantities).drawn(curve))
 }
 
 fn rungs(size: Size) -> Vec<Rung> {
@@ -375,7 +375,7 @@ fn solve(
     reference: Reference,
     options: &Options,
     observer: &mut dyn Observer,
-) -> Result<Solved, Failure> {
+) -> Result<RungResult, Failure> {
     let press = Arc::new(rung.problem::<Variant>().press(rung.cell));
     let mut options = options.clone();
     options.conditions.push(press.clone());

@@ -50,7 +50,7 @@ const FLOOR: i64 = 102;
 const WALLS: [i64; 2] = [103, 104];
 
 const WRONG_DAMPING: Wrong = Wrong::factor("damping", 1.5).breaks_only(|gate| {
-    gate.contains("momentum that no impulse") || gate.contains("plate less floor")
+    gate.contains("unaccounted momentum") || gate.contains("force of plate minus")
 });
 
 /// The compacted grains.
@@ -196,7 +196,7 @@ fn scene(rung: &Rung, _: &Settings) -> Scene {
     scene
 }
 
-fn compare(run: Run<'_>) -> Result<Found, Failure> {
+fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
     let (rung, reference) = (run.rung, run.reference);
     let (simulation, observer) = (run.simulation, run.observer);
     let rate = reference.of(&WRONG_DAMPING) * DAMPING * (YOUNG / DENSITY).sqrt() / rung.cell;
@@ -208,8 +208,8 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
         ["way of the plate in m", "F_y in N"],
         force.map(|s| CurvePoint::new(s.way, -s.plate[1], f64::NAN)),
     );
-    Ok(Found {
+    Ok(Measurements {
         drawings: watch.drawings,
-        ..Found::of(quantities).drawn(curve)
+        ..Measurements::of(quantities).drawn(curve)
     })
 }

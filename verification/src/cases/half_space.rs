@@ -234,7 +234,7 @@ fn settle(run: &mut Run<'_>) -> Result<(), Failure> {
     run.relax(FORCE, RESIDUAL_TARGET, FAR)
 }
 
-fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
+fn compare(run: &mut Run<'_>) -> Result<Measurements, Failure> {
     let exact = exact(run.reference.of(&WRONG_YOUNG));
     let (rung, simulation) = (run.rung, &*run.simulation);
     let h = rung.cell;
@@ -283,7 +283,7 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
             points,
         ));
     }
-    Ok(Found::of(quantities).drawn(curve))
+    Ok(Measurements::of(quantities).drawn(curve))
 }
 
 /// Settlement on the axis of the rows of particles that are nearest to a depth, computed and exact \[m\]. Particles beside the axis are

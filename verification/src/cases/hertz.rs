@@ -166,7 +166,7 @@ fn shape() -> Shape {
 
 /// The distance of the layer from Hertz, for the record.
 fn lines(runs: &Runs<'_>) -> Verdict {
-    let line = |(rung, s): &(Rung, Solved)| {
+    let line = |(rung, s): &(Rung, RungResult)| {
         format!(
             "{}: the barrier layer itself is {:.1} % from Hertz; computed {:.1} % from the layer, {:.1} % from Hertz",
             rung.label,
@@ -239,7 +239,7 @@ fn stress_on_axis(simulation: &Simulation, exact: &Exact) -> Option<f64> {
 }
 
 /// The comparison of the contact, and the stresses in the disk.
-fn compare_disk(mut run: Run<'_>) -> Result<Found, Failure> {
+fn compare_disk(mut run: Run<'_>) -> Result<Measurements, Failure> {
     let rung = run.rung;
     let mut found = compare(run.as_rung(rung))?;
     let stress = stress_on_axis(run.simulation, &exact(run.reference));
@@ -249,7 +249,7 @@ fn compare_disk(mut run: Run<'_>) -> Result<Found, Failure> {
 }
 
 /// The comparison of the contact, of a slab too.
-pub(super) fn compare(run: Run<'_>) -> Result<Found, Failure> {
+pub(super) fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
     let (rung, reference) = (run.rung, run.reference);
     let (simulation, observer) = (run.simulation, run.observer);
     // A slab is as thick as its one layer of cells, the plane 1 m.
@@ -276,5 +276,5 @@ pub(super) fn compare(run: Run<'_>) -> Result<Found, Failure> {
         ["x in m", "p in Pa"],
         points.map(|p| CurvePoint::new(p[0], p[1], exact.pressure(p[0]))),
     );
-    Ok(Found::of(quantities).drawn(curve))
+    Ok(Measurements::of(quantities).drawn(curve))
 }

@@ -281,7 +281,7 @@ fn method(_rung: &Rung) -> Settings {
     Settings::new(Method::DEFAULT.with_transfer(TransferKind::Apic))
 }
 
-fn compare(run: Run<'_>) -> Result<Found, Failure> {
+fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
     let (rung, reference) = (run.rung, run.reference);
     let (simulation, observer) = (run.simulation, run.observer);
     let from_axis = |x: &Vector| libm::hypot(x[0], x[1]);
@@ -308,7 +308,7 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
         ["r in m", "p in Pa"],
         points,
     );
-    Ok(Found::of(quantities).drawn(curve))
+    Ok(Measurements::of(quantities).drawn(curve))
 }
 
 fn path(size: Size) -> Vec<Rung> {

@@ -15,7 +15,7 @@
 use super::prelude::*;
 use super::vocabulary::moved::smooth;
 use super::vocabulary::press::Press;
-use super::vocabulary::yielding::{DRUCKER_PRAGER, MOHR_COULOMB, TRESCA, VON_MISES, Yielding};
+use super::vocabulary::yielding::{DRUCKER_PRAGER, MOHR_COULOMB, PlasticSolid, TRESCA, VON_MISES};
 use crate::exact::homogeneous::{Specimen, State, Surface, Test};
 
 const HEIGHT: f64 = 1.0; // Height and width [m]
@@ -32,8 +32,8 @@ const STATES: u32 = 60; // States of a path that are compared
 const AIR: usize = 1; // Empty cells beside free sides
 
 /// Names of the quantities.
-const STRESS: &str = "stress off by, over the strength";
-const VOLUME: &str = "volume strain off by, over the largest";
+const STRESS: &str = "difference of stress over the strength";
+const VOLUME: &str = "difference of volume strain over the largest";
 
 /// What a rung runs.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -90,8 +90,8 @@ const VARIANTS: [Variant; 16] = {
 };
 
 impl Variant {
-    fn solid(self) -> Yielding {
-        Yielding {
+    fn solid(self) -> PlasticSolid {
+        PlasticSolid {
             variant: self.law,
             young: YOUNG,
             strength: STRENGTH,
@@ -265,7 +265,7 @@ fn dilates(gate: &str) -> bool {
 
 /// The exact specimen, as the case refers to it.
 fn exact(reference: Reference, variant: Variant) -> Specimen {
-    let solid = Yielding {
+    let solid = PlasticSolid {
         strength: reference.of(&WRONG_STRENGTH) * STRENGTH,
         ..variant.solid()
     };
@@ -311,7 +311,7 @@ fn press(
     rung: &Rung,
     simulation: &mut Simulation,
     observer: &mut dyn Observer,
-) -> Result<Found, Failure> {
+) -> Result<Measurements, Failure> {
     let path = path(reference, rung);
     let mut off = Off::new(simulation, &path);
     let mut points = vec![];
@@ -332,7 +332,7 @@ fn press(
         ["axial strain (1e-6)", "axial less lateral compression (Pa)"],
         points,
     );
-    Ok(Found::of(off.quantities()).drawn(curve))
+    Ok(Measurements::of(off.quantities()).drawn(curve))
 }
 
 fn rungs(size: Size) -> Vec<Rung> {
@@ -380,6 +380,6 @@ fn options(rung: &Rung, _: Reference, mut options: Options) -> Options {
     options
 }
 
-fn compare(run: Run<'_>) -> Result<Found, Failure> {
+fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
     press(run.reference, run.rung, run.simulation, run.observer)
 }

@@ -98,7 +98,7 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
     settings.applied(scene)
 }
 
-fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
+fn compare(run: &mut Run<'_>) -> Result<Measurements, Failure> {
     let simulation = &*run.simulation;
     let gravity = run.reference.of(&WRONG_GRAVITY) * GRAVITY;
     let (mut flow, mut off) = (0.0_f64, 0.0_f64);
@@ -110,7 +110,7 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
             off = off.max((p - exact).abs() / (WATER * gravity * HEIGHT));
         }
     }
-    Ok(Found::of([
+    Ok(Measurements::of([
         Quantity::balance(FLOW, flow, "m/s"),
         ratio(PRESSURE, Some(off)),
     ]))

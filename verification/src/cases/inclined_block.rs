@@ -317,7 +317,7 @@ fn options(rung: &Rung, reference: Reference, options: Options) -> Options {
     incline(reference, rung).options(options)
 }
 
-fn compare(run: Run<'_>) -> Result<Found, Failure> {
+fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
     let (rung, reference) = (run.rung, run.reference);
     let (simulation, observer) = (run.simulation, run.observer);
     let incline = incline(reference, rung);
@@ -327,7 +327,7 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
     let moved = simulation.center(1).position[0] - 0.5 * (ALONG[0] + ALONG[1]);
     let quantities = quantities(&tracks[0], moved, &problem, incline.height);
     let curve = sliding_curve(&tracks[0], &exact(&problem), &rung.label);
-    Ok(Found::of(quantities).drawn(curve))
+    Ok(Measurements::of(quantities).drawn(curve))
 }
 
 /// A scene file has one gravity for all of a run, so the block is released at once. It is so flat that the swing of its

@@ -269,14 +269,14 @@ fn options(rung: &Rung, reference: Reference, options: Options) -> Options {
     incline(reference, rung).options(options)
 }
 
-fn compare(run: Run<'_>) -> Result<Found, Failure> {
+fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
     let (rung, reference) = (run.rung, run.reference);
     let (simulation, observer) = (run.simulation, run.observer);
     let incline = incline(reference, rung);
     incline.release(simulation, observer)?;
     let tracks = follow(&incline, simulation, observer)?;
     let quantities = quantities(&tracks, variant(rung).2);
-    Ok(Found::of(quantities))
+    Ok(Measurements::of(quantities))
 }
 
 fn path(size: Size) -> Vec<Rung> {

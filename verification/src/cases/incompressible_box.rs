@@ -117,7 +117,7 @@ fn settle(run: &mut Run<'_>) -> Result<(), Failure> {
     Ok(())
 }
 
-fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
+fn compare(run: &mut Run<'_>) -> Result<Measurements, Failure> {
     let exact = model::exact(Loading::Patch, run.reference.of(&WRONG_POISSON))?;
     let comparison =
         Comparison::new(run.simulation, &exact).ok_or("the simulation kept no displacements")?;
@@ -130,5 +130,5 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
         ratio(L2, comparison.l2_outside(LEFT_OUT)),
         Quantity::balance(RESIDUAL, run.residual, "1"),
     ];
-    Ok(Found::of(quantities))
+    Ok(Measurements::of(quantities))
 }

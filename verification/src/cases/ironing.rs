@@ -307,7 +307,7 @@ fn prepare(rung: &Rung, reference: Reference) {
     }
 }
 
-fn compare(run: Run<'_>) -> Result<Found, Failure> {
+fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
     let (rung, reference) = (run.rung, run.reference);
     let (simulation, observer) = (run.simulation, run.observer);
     let forces = forces(simulation, observer)?;
@@ -322,5 +322,5 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
         let expected = figures.map(|f| f * reference.of(&WRONG_FORCE));
         (quantities(&forces, expected), curve(&rung.label, &forces))
     };
-    Ok(Found::of(quantities).drawn(curve))
+    Ok(Measurements::of(quantities).drawn(curve))
 }

@@ -14,7 +14,7 @@
 //! and is off by 1.9 to 2.1 % at 100 cells where APIC is off by 1.2 to 1.3 %, both of order 1. `proctor verify plastic-wave`.
 
 use super::prelude::*;
-use super::vocabulary::yielding::{LAWS, MOHR_COULOMB, Yielding};
+use super::vocabulary::yielding::{LAWS, MOHR_COULOMB, PlasticSolid};
 use crate::exact::plastic_wave::PlasticWave as Exact;
 
 const LENGTH: f64 = 1.0; // Length [m]
@@ -33,7 +33,7 @@ const INTERVALS: u32 = 2000;
 const PLASTIC: &str = "plastic work";
 const MOMENTUM: &str = "momentum over the impulse of the load";
 const WORK: &str = "external work";
-const LOST: &str = "energy that no channel accounts for, over the external work";
+const LOST: &str = "unaccounted energy over the external work";
 
 const WRONG_STRENGTH: Wrong =
     Wrong::factor("strength", 1.15).breaks_only(|gate| !gate.contains("momentum"));
@@ -112,13 +112,13 @@ fn shaken(rung: &Rung) -> Guest {
     let step = guest::COURANT * h / exact.elastic_speed();
     let moving = move |x: &Vector, t| [0.0, 0.0, exact.velocity(x[2], t)];
     Guest {
-        compared: Compared::Velocity,
+        compared: ComparedField::Velocity,
         ..Guest::new(guest::prepared(scene, 1, step), moving).at_the_end()
     }
 }
 
-fn solid(rung: &Rung) -> Yielding {
-    Yielding {
+fn solid(rung: &Rung) -> PlasticSolid {
+    PlasticSolid {
         variant: rung.variant,
         young: YOUNG,
         strength: STRENGTH,
@@ -128,7 +128,7 @@ fn solid(rung: &Rung) -> Yielding {
 /// The exact wave, as the case refers to it.
 fn exact(reference: Reference, rung: &Rung) -> Exact {
     let solid = solid(rung);
-    let wrong = Yielding {
+    let wrong = PlasticSolid {
         strength: reference.of(&WRONG_STRENGTH) * solid.strength,
         ..solid
     };
@@ -164,7 +164,7 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
     })
 }
 
-fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
+fn compare(run: &mut Run<'_>) -> Result<Measurements, Failure> {
     let (exact, t) = (exact(run.reference, run.rung), run.time());
     let energy = run.simulation.energy();
     let (section, simulation) = (run.rung.cell, &*run.simulation);
@@ -187,7 +187,7 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
     let label = &run.rung.label;
     let title = format!("compression along the strip after {COMPARED} transits, {label}");
     let axes = ["x (m)", "compression / limit"];
-    Ok(Found::of(quantities).drawn(points.map(|points| Curve::new(title, axes, points))))
+    Ok(Measurements::of(quantities).drawn(points.map(|points| Curve::new(title, axes, points))))
 }
 
 /// The stress is judged at 100 cells, plastic work at 200, balances on the finest mesh.

@@ -34,9 +34,10 @@ pub(crate) use crate::case::gates::{
 pub(crate) use crate::case::ladder::Ladder;
 pub(crate) use crate::case::wrong::{Reference, Wrong};
 pub(crate) use crate::case::{
-    Case, Curve, CurvePoint, Drawing, Found, Gate, Plan, Quantity, Run, Rung, Size, Solved, Verdict,
+    Case, Curve, CurvePoint, Drawing, Gate, Measurements, Plan, Quantity, Run, Rung, RungResult,
+    Size, Verdict,
 };
 pub(crate) use crate::convergence::relative_l2;
-pub(crate) use crate::guest::{self, Compared, Guest, Norm};
+pub(crate) use crate::guest::{self, ComparedField, Guest, Norm};
 pub(crate) use crate::settings::{Method, Settings};
 pub(crate) use crate::study::{Failure, Measure, Observer, Phase, few};

@@ -124,7 +124,7 @@ fn start(rung: &Rung, _: Reference, options: Options) -> Options {
     })
 }
 
-fn compare(run: Run<'_>) -> Result<Found, Failure> {
+fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
     let variant = run.rung.variant;
     let [k, speed] = mode(variant);
     let vibration = Vibration {

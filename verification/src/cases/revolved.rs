@@ -131,7 +131,7 @@ fn start(rung: &Rung, _: Reference, options: Options) -> Options {
     })
 }
 
-fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
+fn compare(run: &mut Run<'_>) -> Result<Measurements, Failure> {
     let exact = exact(run.rung, run.reference.of(&WRONG_AMPLITUDE));
     let (t, h) = (run.time(), run.rung.cell);
     let displacement = |x: Vector| {
@@ -153,5 +153,5 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
         })
     });
     quantities.push(ratio(AXIS, beside));
-    Ok(Found::of(quantities))
+    Ok(Measurements::of(quantities))
 }

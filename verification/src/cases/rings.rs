@@ -241,7 +241,7 @@ fn rungs(size: Size) -> Vec<Rung> {
 
 /// The contact of each run, for the record.
 fn lines(runs: &Runs<'_>) -> Verdict {
-    let line = |(rung, s): &(Rung, Solved)| {
+    let line = |(rung, s): &(Rung, RungResult)| {
         let reference = s.quantity(IMPULSE).and_then(|q| q.exact);
         format!(
             "{}: contact from {:.3} to {:.3} ms, impulse {:.1} N s (reference {:.1}), energy lost {:.1} %",
@@ -311,13 +311,13 @@ fn prepare(_rung: &Rung, reference: Reference) {
     let _ = known(reference);
 }
 
-fn compare(run: Run<'_>) -> Result<Found, Failure> {
+fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
     let (rung, reference) = (run.rung, run.reference);
     let (simulation, observer) = (run.simulation, run.observer);
     let history = History::run(simulation, observer)?;
     let reference = known(reference)?;
     let quantities = history.quantities(simulation, reference);
-    Ok(Found::of(quantities.ok_or("the rings never touch")?)
+    Ok(Measurements::of(quantities.ok_or("the rings never touch")?)
         .drawn(history.curve(&rung.label, reference)))
 }
 

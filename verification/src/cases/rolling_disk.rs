@@ -34,14 +34,14 @@ const STAGE: f64 = 2.0; // Each of the two stages [s]
 const PIC: f64 = 0.001; // Share of PIC, with any transfer
 const SETTLING: f64 = 0.1; // Local damping while the disk settles
 
-pub(super) const WAY: &str = "way along the plane after 2 s";
-pub(super) const RATIO: &str = "turn times R over way, after 2 s";
+pub(super) const WAY: &str = "distance along the plane after 2 s";
+pub(super) const RATIO: &str = "rotation times R over distance after 2 s";
 pub(super) const AREA: &str = "growth of the area";
 /// What spin and load have no part in.
-const AREA_OFF: &str = "growth of the area, less that of spin and load";
+const AREA_OFF: &str = "growth of the area minus that of spin and load";
 
 const WRONG_GRAVITY: Wrong =
-    Wrong::factor("gravity", 1.04).breaks_only(|gate| gate.contains("error of the way"));
+    Wrong::factor("gravity", 1.04).breaks_only(|gate| gate.contains("error of the distance"));
 
 /// Errors that are studied, of a slab too.
 pub(super) const MEASURES: &[Measure] = &[
@@ -256,7 +256,7 @@ pub(super) fn scene(rung: &Rung, settings: &Settings) -> Scene {
     scene
 }
 
-pub(super) fn compare(run: Run<'_>) -> Result<Found, Failure> {
+pub(super) fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
     let (rung, reference) = (run.rung, run.reference);
     let (simulation, observer) = (run.simulation, run.observer);
     // A slab is as thick as its one layer of cells, the plane 1 m.
@@ -299,7 +299,7 @@ pub(super) fn compare(run: Run<'_>) -> Result<Found, Failure> {
         ["t in s", "u_x in m"],
         points,
     );
-    Ok(Found::of(quantities).drawn(curve))
+    Ok(Measurements::of(quantities).drawn(curve))
 }
 
 /// Sum of the particles' volumes \[m²\].

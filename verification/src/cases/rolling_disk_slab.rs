@@ -70,7 +70,7 @@ fn judge(runs: &Runs<'_>) -> Verdict {
             )
         })
     });
-    let growth = |(rung, s): &(Rung, Solved)| {
+    let growth = |(rung, s): &(Rung, RungResult)| {
         format!("{}: {AREA} is {:.2} %", rung.label, 100.0 * s.value(AREA))
     };
     Verdict {

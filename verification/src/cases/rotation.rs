@@ -112,7 +112,7 @@ fn start(_: &Rung, _: Reference, options: Options) -> Options {
     starting(options, move |x| moving(velocity(*x, spin()), gradient))
 }
 
-fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
+fn compare(run: &mut Run<'_>) -> Result<Measurements, Failure> {
     let spin = run.reference.of(&WRONG_SPIN) * spin();
     let simulation = &*run.simulation;
     let (t, before) = (simulation.time(), simulation.velocity_time());
@@ -126,5 +126,5 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
         Some((simulation.sets()[0].velocity(p), exact))
     });
     let quantities = vec![ratio(DISPLACEMENT, displacement), ratio(VELOCITY, velocity)];
-    Ok(Found::of(quantities))
+    Ok(Measurements::of(quantities))
 }

@@ -26,7 +26,7 @@ const BEYOND: &str = "run-out over that of experiments";
 const WIDE: &str = "a=0.8";
 const SLENDER: &str = "a=2";
 const WRONG_WORK: Wrong =
-    Wrong::factor("work of gravity", 0.5).breaks_only(|gate| gate.contains("from nowhere"));
+    Wrong::factor("work of gravity", 0.5).breaks_only(|gate| gate.contains("energy gained"));
 
 /// The round column.
 pub static ROUND_COLLAPSE: Case = Case::new(
@@ -98,13 +98,13 @@ fn scene(rung: &Rung, _: &Settings) -> Scene {
     scene
 }
 
-fn compare(run: Run<'_>) -> Result<Found, Failure> {
+fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
     let work = run.reference.of(&WRONG_WORK);
     let ran = run_out::run(run.simulation, work, run.observer)?;
     Ok(found(run.rung, ran))
 }
 
-fn found(rung: &Rung, mut run: RunOut) -> Found {
+fn found(rung: &Rung, mut run: RunOut) -> Measurements {
     let far = published(aspect(rung));
     let front = run.quantities.iter().find(|q| q.name == FRONT);
     let beyond = front.map_or(f64::NAN, |q| q.value / RADIUS - 1.0);
@@ -119,12 +119,12 @@ fn found(rung: &Rung, mut run: RunOut) -> Found {
     });
     let curve = Curve::new(
         format!("front of the column, {}", rung.label),
-        ["time over sqrt(H/g)", "way of the front over radius"],
+        ["time over sqrt(H/g)", "distance of the front over radius"],
         points,
     );
-    Found {
+    Measurements {
         drawings: vec![run.drawing],
-        ..Found::of(run.quantities).drawn(curve)
+        ..Measurements::of(run.quantities).drawn(curve)
     }
 }
 

@@ -58,7 +58,7 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
     scene
 }
 
-fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
+fn compare(run: &mut Run<'_>) -> Result<Measurements, Failure> {
     let simulation = &*run.simulation;
     let (h, reference) = (run.rung.cell, run.reference);
     let weight = reference.of(&WRONG_WEIGHT) * weight();
@@ -78,7 +78,7 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
         }
     }
     let exact = reference.of(&WRONG_CONDUCTIVITY) * CONDUCTIVITY * GRAVITY / CONDUCTIVITY_GRAVITY;
-    Ok(Found::of([
+    Ok(Measurements::of([
         Quantity::compared(FLUX, flux / count, exact, "m/s"),
         ratio(EFFECTIVE, Some(stress / (weight * HEIGHT))),
         ratio(PRESSURE, Some(pressure / (WATER * GRAVITY * HEIGHT))),

@@ -106,7 +106,7 @@ fn settle(run: &mut Run<'_>) -> Result<(), Failure> {
     run.relax(weight, RESIDUAL, HEIGHT)
 }
 
-fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
+fn compare(run: &mut Run<'_>) -> Result<Measurements, Failure> {
     let exact = exact(run.reference);
     let quantities = run.errors(
         |x| [0.0, exact.position(x[1]) - x[1], 0.0],
@@ -120,5 +120,5 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
     });
     let title = format!("vertical stress over the column, {}", run.rung.label);
     let axes = ["initial height (m)", "vertical stress (kPa)"];
-    Ok(Found::of(quantities).drawn(points.map(|points| Curve::new(title, axes, points))))
+    Ok(Measurements::of(quantities).drawn(points.map(|points| Curve::new(title, axes, points))))
 }

@@ -26,8 +26,8 @@ const STRESSED: PlaneStress = [3e-3, -2e-3, 1e-3]; // Stress at the start of the
 const STEPS: [&[u32]; 2] = [&[250, 500], &[250, 500, 1000]];
 
 /// Names of the quantities.
-const OFF: &str = "stress off by, over G";
-const PREDICTED: &str = "stress less that of the closed form, over it";
+const OFF: &str = "difference of stress over G";
+const PREDICTED: &str = "difference from the closed form over the stress";
 const GROWTH: &str = "growth of the deviator per turn, logarithm";
 const PRESSURE: &str = "pressure per turn, over lambda + G";
 
@@ -125,18 +125,18 @@ impl Variant {
     }
 
     /// Motion of all nodes.
-    fn motion(self, rung: &Rung, dt: f64) -> Driven {
+    fn motion(self, rung: &Rung, dt: f64) -> NodeMotion {
         let lower = self.lower(rung.cell);
         if self.turns {
             let (sin, cos) = libm::sincos(TAU / f64::from(Self::steps_per(rung)));
             let half = 0.5 * WIDE * rung.cell;
-            return Driven {
+            return NodeMotion {
                 about: [lower[0] + half, lower[1] + half],
                 gradient: [[(cos - 1.0) / dt, -sin / dt], [sin / dt, (cos - 1.0) / dt]],
             };
         }
         let rate = SHEAR / (f64::from(Self::steps_per(rung)) * dt);
-        Driven {
+        NodeMotion {
             about: [lower[0], lower[1]],
             gradient: [[0.0, rate], [0.0, 0.0]],
         }
@@ -145,12 +145,12 @@ impl Variant {
 
 /// All nodes move by one velocity gradient \[1/s\] about a point \[m\].
 #[derive(Clone, Copy, Debug)]
-struct Driven {
+struct NodeMotion {
     about: [f64; 2],
     gradient: [[f64; 2]; 2],
 }
 
-impl Driven {
+impl NodeMotion {
     fn velocity(&self, x: [f64; 3]) -> [f64; 3] {
         let [a, b] = [x[0] - self.about[0], x[1] - self.about[1]];
         let [u, v] = self.gradient.map(|row| row[0] * a + row[1] * b);
@@ -158,14 +158,15 @@ impl Driven {
     }
 }
 
-impl Condition for Driven {
+impl Condition for NodeMotion {
     fn after(&self, field: &mut FieldNodes<'_, '_>) {
         field.for_each(|node| node.set_velocity(self.velocity(node.position())));
     }
 }
 
 const WRONG_STIFFNESS: Wrong = Wrong::factor("stiffness", 1.05).breaks(|gate| {
-    gate.contains("shear,") && (gate.contains("off by") || gate.contains("closed form"))
+    gate.contains("shear,")
+        && (gate.contains("difference of stress") || gate.contains("closed form"))
 });
 const WRONG_RATE: Wrong =
     Wrong::value("rate", 0.0, 1.0).breaks(|gate| gate.contains("closed form"));
@@ -386,8 +387,8 @@ fn options(rung: &Rung, _: Reference, mut options: Options) -> Options {
     options
 }
 
-fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
+fn compare(run: &mut Run<'_>) -> Result<Measurements, Failure> {
     let (rung, simulation) = (run.rung, &*run.simulation);
     let quantities = quantities(run.reference, *rung.problem::<Variant>(), rung, simulation);
-    Ok(Found::of(quantities))
+    Ok(Measurements::of(quantities))
 }

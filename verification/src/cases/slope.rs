@@ -40,7 +40,7 @@ const BEYOND: &str = "run-out over height"; // How far the front came beyond the
 const METHOD: Method = Method::DEFAULT.with_transfer(TransferKind::Apic);
 
 const WRONG_WORK: Wrong =
-    Wrong::factor("work of gravity", 0.5).breaks_only(|gate| gate.contains("from nowhere"));
+    Wrong::factor("work of gravity", 0.5).breaks_only(|gate| gate.contains("energy gained"));
 
 /// The slope that fails.
 pub static SLOPE: Case = Case::new(
@@ -158,7 +158,7 @@ fn scene(rung: &Rung, _: &Settings) -> Scene {
     scene
 }
 
-fn compare(run: Run<'_>) -> Result<Found, Failure> {
+fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
     let (rung, reference) = (run.rung, run.reference);
     let (simulation, observer) = (run.simulation, run.observer);
     let run = run_out::run(simulation, reference.of(&WRONG_WORK), observer)?;
@@ -169,15 +169,15 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
         .map(|place| CurvePoint::new(place.time, place.front - foot, f64::NAN));
     let curve = Curve::new(
         format!("front of the slope, {}", rung.label),
-        ["time (s)", "way of the front (m)"],
+        ["time (s)", "distance of the front (m)"],
         points,
     );
     let mut quantities = run.quantities;
     let front = run.places.last().map_or(f64::NAN, |place| place.front);
     let beyond = (front - foot) / HEIGHT;
     quantities.push(Quantity::figure(BEYOND, beyond, "1"));
-    Ok(Found {
+    Ok(Measurements {
         drawings: vec![run.drawing],
-        ..Found::of(quantities).drawn(curve)
+        ..Measurements::of(quantities).drawn(curve)
     })
 }

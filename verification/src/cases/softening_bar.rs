@@ -135,7 +135,7 @@ fn pull(
     rung: &Rung,
     simulation: &mut Simulation,
     observer: &mut dyn Observer,
-) -> Result<Found, Failure> {
+) -> Result<Measurements, Failure> {
     let (whole, exact) = (exact(reference), exact_in(reference, rung));
     let (mut peak, mut points) = (0.0_f64, vec![]);
     observer.phase(Phase::Stepping);
@@ -175,7 +175,7 @@ fn pull(
         ],
         points,
     );
-    Ok(Found::of(quantities).drawn(curve))
+    Ok(Measurements::of(quantities).drawn(curve))
 }
 
 /// Mean of the stress along the bar in a body \[Pa\].
@@ -283,6 +283,6 @@ fn scene(rung: &Rung, _: &Settings) -> Scene {
     scene
 }
 
-fn compare(run: Run<'_>) -> Result<Found, Failure> {
+fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
     pull(run.reference, run.rung, run.simulation, run.observer)
 }

@@ -38,9 +38,9 @@ const FRICTION: f64 = 0.4; // Friction of the scene
 /// Names of the quantities.
 const DEPTH: &str = "deepest penetration over cell";
 const BELOW: &str = "particles below the terrain";
-const FREE_FALL: &str = "fall until touch";
-const TOUCH: &str = "first force, steps from touch";
-const MOMENTUM: &str = "momentum lost, over that given";
+const FREE_FALL: &str = "height of fall until contact";
+const TOUCH: &str = "steps from contact to the first force";
+const MOMENTUM: &str = "momentum lost over the momentum given";
 const GAINED: &str = "energy gained, over the initial";
 const DOWNWARD: &str = "largest pull, over weight";
 
@@ -53,7 +53,7 @@ const TOUCH_GATE: f64 = 1.0; // The first force acts in the step in which the pa
 
 const WRONG_PULL: Wrong = Wrong::factor("pull", 1.01)
     .breaks(|gate| {
-        ["fall until touch", "momentum", "energy"]
+        ["height of fall until contact", "momentum", "energy"]
             .iter()
             .any(|name| gate.contains(name))
     })
@@ -100,7 +100,7 @@ const BOUNCE: Variant = ("bounce", StressScheme::Usl, 1.0, true);
 
 /// What is seen of a run.
 #[derive(Default)]
-struct Seen {
+struct Observations {
     deepest: f64,
     below: usize,
     /// Time at the end of the step with the first force, and that step \[s\].
@@ -159,7 +159,7 @@ fn touch(terrain: &Surface, seeds: &[Vector], half: f64, velocity: &Vector) -> f
 }
 
 /// Looks at the state after a step.
-fn look(simulation: &Simulation, terrain: &HeightField, start: &Start, seen: &mut Seen) {
+fn look(simulation: &Simulation, terrain: &HeightField, start: &Start, seen: &mut Observations) {
     let h = simulation.scene().mesh.cell[0];
     let center = simulation.center(0);
     let (m, x) = (center.mass, center.position);
@@ -219,7 +219,7 @@ fn look(simulation: &Simulation, terrain: &HeightField, start: &Start, seen: &mu
 fn quantities(
     rung: &Rung,
     simulation: &Simulation,
-    seen: &Seen,
+    seen: &Observations,
     start: &Start,
     touch: Option<f64>,
 ) -> Vec<Quantity> {
@@ -343,7 +343,7 @@ fn scene(rung: &Rung, settings: &Settings, reference: Reference) -> Scene {
     scene
 }
 
-fn compare(run: Run<'_>) -> Result<Found, Failure> {
+fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
     let (rung, settings) = (run.rung, run.settings);
     let (simulation, observer) = (run.simulation, run.observer);
     let rigid = simulation.scene().surfaces.first();
@@ -359,11 +359,11 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
     let center = simulation.center(0).position;
     let start = Start { center, velocity };
     let terrain = HeightField::new(&surface);
-    let mut seen = Seen::default();
+    let mut seen = Observations::default();
     let end = simulation.scene().time;
     run_until(simulation, end, observer, |simulation| {
         look(simulation, &terrain, &start, &mut seen);
     })?;
     let quantities = quantities(rung, simulation, &seen, &start, touch);
-    Ok(Found::of(quantities))
+    Ok(Measurements::of(quantities))
 }

@@ -11,7 +11,7 @@
 //! stress is `R sigma R^T`, its principal values stay, and so do plastic strain and plastic work. `proctor verify spin`.
 
 use super::prelude::*;
-use super::vocabulary::yielding::{DRUCKER_PRAGER, MOHR_COULOMB, TRESCA, VON_MISES, Yielding};
+use super::vocabulary::yielding::{DRUCKER_PRAGER, MOHR_COULOMB, PlasticSolid, TRESCA, VON_MISES};
 use crate::exact::turned::{Matrix, Tensor, invariants, length, rotation, turn, turned};
 
 /// Young's modulus \[Pa\] and density \[kg/m³\]: waves run at 1.1 m/s.
@@ -36,10 +36,10 @@ const STRAIN: [Matrix; 2] = [
 const LOOKS: u32 = 16; // The stress is compared so many times in a turn
 
 /// Names of the quantities.
-const TURNED: &str = "stress that has turned off by, over it";
-const PRINCIPAL: &str = "principal values off by, over the stress";
-const MULTIPLIER: &str = "plastic strain that was added, over it";
-const WORK: &str = "plastic work that was added, over it";
+const TURNED: &str = "difference of the turned stress over the stress";
+const PRINCIPAL: &str = "difference of principal stresses over the stress";
+const MULTIPLIER: &str = "added plastic strain over the plastic strain";
+const WORK: &str = "added plastic work over the plastic work";
 
 /// What a rung runs.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -111,14 +111,14 @@ fn looks(rung: &Rung) -> u32 {
 
 /// All nodes move by a velocity gradient \[1/s\] about a point \[m\], by another one from a time \[s\] on.
 #[derive(Clone, Copy, Debug)]
-struct Driven {
+struct NodeMotion {
     about: [f64; 3],
     strains: Matrix,
     until: f64,
     spins: Matrix,
 }
 
-impl Driven {
+impl NodeMotion {
     fn velocity(&self, x: [f64; 3], time: f64) -> [f64; 3] {
         let gradient = if time < self.until {
             &self.strains
@@ -129,7 +129,7 @@ impl Driven {
     }
 }
 
-impl Condition for Driven {
+impl Condition for NodeMotion {
     fn after(&self, field: &mut FieldNodes<'_, '_>) {
         let time = field.time();
         field.for_each(|node| node.set_velocity(self.velocity(node.position(), time)));
@@ -138,7 +138,7 @@ impl Condition for Driven {
 
 /// State of a particle when the spin begins.
 #[derive(Clone, Copy, Debug)]
-struct Yielded {
+struct SpinStart {
     stress: Tensor,
     /// Plastic strain.
     strain: f64,
@@ -147,10 +147,10 @@ struct Yielded {
 }
 
 /// The states of all particles.
-fn yielded(simulation: &Simulation) -> Result<Vec<Yielded>, Failure> {
+fn yielded(simulation: &Simulation) -> Result<Vec<SpinStart>, Failure> {
     let set = &simulation.sets()[0];
     let state = |p| match set.variables(p)[..] {
-        [strain, work, ..] => Ok(Yielded {
+        [strain, work, ..] => Ok(SpinStart {
             stress: set.stress(p),
             strain,
             work,
@@ -173,7 +173,7 @@ fn keep(off: &mut Off, now: Off) {
 }
 
 /// By how much a particle is off that began to spin with a state.
-fn off_by(start: &Yielded, now: &Yielded, rotation: &Matrix) -> Off {
+fn off_by(start: &SpinStart, now: &SpinStart, rotation: &Matrix) -> Off {
     let size = length(start.stress);
     let exact = turned(start.stress, rotation);
     let apart = length(std::array::from_fn(|i| now.stress[i] - exact[i]));
@@ -218,7 +218,7 @@ pub static SPIN: Case = Case::new(
 );
 
 /// Motion of all nodes.
-fn motion(reference: Reference, rung: &Rung) -> Driven {
+fn motion(reference: Reference, rung: &Rung) -> NodeMotion {
     let (variant, dt) = (*rung.problem::<Variant>(), time_step(rung));
     let [lower, upper] = variant.corners(rung.cell);
     let steps = f64::from(steps_per_turn(rung));
@@ -226,7 +226,7 @@ fn motion(reference: Reference, rung: &Rung) -> Driven {
     let mut spins = step.map(|row| row.map(|x| x / dt));
     spins[0][0] -= reference.of(&WRONG_STRAIN);
     let straining = f64::from(STRAINING) * dt;
-    Driven {
+    NodeMotion {
         about: std::array::from_fn(|i| 0.5 * (lower[i] + upper[i])),
         strains: variant.strain().map(|row| row.map(|e| e / straining)),
         until: straining,
@@ -253,7 +253,7 @@ fn spin(
     rung: &Rung,
     simulation: &mut Simulation,
     observer: &mut dyn Observer,
-) -> Result<Found, Failure> {
+) -> Result<Measurements, Failure> {
     observer.phase(Phase::Stepping);
     let variant = *rung.problem::<Variant>();
     advance(simulation, u64::from(STRAINING), observer)?;
@@ -274,7 +274,7 @@ fn spin(
     let names = [TURNED, PRINCIPAL, MULTIPLIER, WORK];
     let quantities = names.into_iter().zip(off);
     let quantities = quantities.map(|(name, off)| Quantity::of_zero(name, off));
-    Ok(Found::of(quantities.collect::<Vec<_>>()))
+    Ok(Measurements::of(quantities.collect::<Vec<_>>()))
 }
 
 fn rungs(size: Size) -> Vec<Rung> {
@@ -310,7 +310,7 @@ fn scene(rung: &Rung, _: &Settings) -> Scene {
         dt,
         allow_unstable: false,
     };
-    let solid = Yielding {
+    let solid = PlasticSolid {
         variant: variant.law,
         young: YOUNG,
         strength: STRENGTH,
@@ -332,6 +332,6 @@ fn options(rung: &Rung, reference: Reference, mut options: Options) -> Options {
     options
 }
 
-fn compare(run: Run<'_>) -> Result<Found, Failure> {
+fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
     spin(run.reference, run.rung, run.simulation, run.observer)
 }

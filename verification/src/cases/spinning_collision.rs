@@ -132,7 +132,7 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
     scene
 }
 
-fn compare(run: Run<'_>) -> Result<Found, Failure> {
+fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
     let (rung, reference) = (run.rung, run.reference);
     let (simulation, observer) = (run.simulation, run.observer);
     let (mut impulse, mut expected, mut pressed) = ([0.0; 2], [0.0; 2], 0.0);
@@ -177,5 +177,5 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
         ["t in s", "L in kg m²/s per m"],
         points,
     );
-    Ok(Found::of(quantities).drawn(curve))
+    Ok(Measurements::of(quantities).drawn(curve))
 }

@@ -151,11 +151,11 @@ fn start(rung: &Rung, _: Reference, options: Options) -> Options {
     })
 }
 
-fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
+fn compare(run: &mut Run<'_>) -> Result<Measurements, Failure> {
     let (exact, t) = (exact(run.reference.of(&WRONG_AMPLITUDE)), run.time());
     let quantities = run.errors(
         |x| [exact.displacement([x[0]], t)[0], 0.0, 0.0],
         |x| uniaxial(exact.stress([x[0]], t)[0]),
     );
-    Ok(Found::of(quantities))
+    Ok(Measurements::of(quantities))
 }

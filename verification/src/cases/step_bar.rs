@@ -35,7 +35,7 @@ const LOADED: &str = "pressed"; // Bar under a pressure
 const THROWN: &str = "thrown"; // Bar against a wall
 
 /// Names of the quantities.
-const FRONT: &str = "way of the front";
+const FRONT: &str = "distance of the front";
 const SPEED: &str = "speed behind the front";
 const HELD: &str = "pressure at the held end";
 const DURATION: &str = "duration";
@@ -175,7 +175,7 @@ fn pressed(
     rung: &Rung,
     simulation: &mut Simulation,
     observer: &mut dyn Observer,
-) -> Result<Found, Failure> {
+) -> Result<Measurements, Failure> {
     let exact = exact(reference);
     run_until(simulation, COMPARED * transit(), observer, |_| ())?;
     let t = simulation.time();
@@ -207,7 +207,7 @@ fn pressed(
     let force = (after[1] - before[1]) / (after[0] - before[0]);
     let held = force / section(simulation) + STRAIN * YOUNG;
     quantities.push(Quantity::compared(HELD, held, 2.0 * exact.pressure, "Pa"));
-    Ok(Found::of(quantities).drawn(curve))
+    Ok(Measurements::of(quantities).drawn(curve))
 }
 
 /// Distance from the loaded end at which the stress is a third of the pressure \[m\]: a front that dispersion of third order has
@@ -262,7 +262,7 @@ fn thrown(
     reference: Reference,
     simulation: &mut Simulation,
     observer: &mut dyn Observer,
-) -> Result<Found, Failure> {
+) -> Result<Measurements, Failure> {
     let exact = MovingBar {
         length: LENGTH,
         modulus: reference.of(&WRONG_STIFFNESS) * YOUNG,
@@ -292,7 +292,7 @@ fn thrown(
         Quantity::compared(PRESSURE, pressure, exact.stress, "Pa"),
         Quantity::compared(REBOUND, rebound, exact.velocity, "m/s"),
     ];
-    Ok(Found::of(quantities))
+    Ok(Measurements::of(quantities))
 }
 
 fn scene(rung: &Rung, settings: &Settings) -> Scene {
@@ -344,7 +344,7 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
     scene
 }
 
-fn compare(run: Run<'_>) -> Result<Found, Failure> {
+fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
     let (rung, reference) = (run.rung, run.reference);
     let (simulation, observer) = (run.simulation, run.observer);
     if rung.variant == THROWN {

@@ -26,8 +26,8 @@ const DISPLACEMENT: &str = "L2(u), column and time";
 const STRESS: &str = "L2(stress), column and time";
 const BASE: &str = "L2(base pressure), time";
 const PEAK: &str = "base pressure at 2 H/c";
-const TOP: &str = "top at 2 H/c";
-const BACK: &str = "top at 4 H/c, over that at 2 H/c";
+const TOP: &str = "top displacement at 2 H/c";
+const BACK: &str = "top displacement at 4 H/c over that at 2 H/c";
 
 const KINK: &str = "the kink of the stress is spread over w = (h² H)^(1/3), where the stress is off by w: w^(3/2) over all";
 const DISPLACED: &str = "w², as the displacement is off by where the kink is";
@@ -91,7 +91,7 @@ pub static SUDDEN_WEIGHT: Case = Case::new(
 
 /// What was seen at one time.
 #[derive(Clone, Copy, Debug)]
-struct Seen {
+struct Observations {
     time: f64,
     base: f64,
     top: f64,
@@ -138,7 +138,7 @@ fn layer(
 }
 
 /// Pressure on the base and displacement of the top now.
-fn ends(simulation: &Simulation, settings: &Settings) -> Result<Seen, Failure> {
+fn ends(simulation: &Simulation, settings: &Settings) -> Result<Observations, Failure> {
     let depth = 0.5 * simulation.scene().mesh.cell[1] / settings.particles_per_cell as f64;
     let stress = |p: usize| Some(simulation.sets()[0].stress(p)[1]);
     let lowest = layer(simulation, depth, stress)?;
@@ -146,7 +146,7 @@ fn ends(simulation: &Simulation, settings: &Settings) -> Result<Seen, Failure> {
     let sunk = |p: usize| Some(simulation.displacement(0, p)?[1]);
     let uppermost = layer(simulation, HEIGHT - depth, sunk)?;
     let below = layer(simulation, HEIGHT - 3.0 * depth, sunk)?;
-    Ok(Seen {
+    Ok(Observations {
         time: simulation.time(),
         base: -(1.5 * lowest - 0.5 * next),
         // The stress at the top is zero, so u = u(H) - b (H - z)², and the second layer is three times as deep.
@@ -173,7 +173,7 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
     })
 }
 
-fn compare(run: Run<'_>) -> Result<Found, Failure> {
+fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
     let (rung, settings, reference) = (run.rung, run.settings, run.reference);
     let (simulation, observer) = (run.simulation, run.observer);
     let of_scene = exact(Reference::CORRECT);
@@ -233,7 +233,7 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
         ["c t / H", "pressure / (rho g H)"],
         points,
     );
-    Ok(Found::of(quantities).drawn(curve))
+    Ok(Measurements::of(quantities).drawn(curve))
 }
 
 fn guest(rung: &Rung) -> Result<Guest, &'static str> {

@@ -124,7 +124,7 @@ fn settle(run: &mut Run<'_>) -> Result<(), Failure> {
     run.relax(load, target, OUTER - INNER)
 }
 
-fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
+fn compare(run: &mut Run<'_>) -> Result<Measurements, Failure> {
     let exact = exact(run.reference.of(&WRONG_PRESSURE));
     let simulation = &*run.simulation;
     let displacement = l2(simulation, |p, x| {
@@ -140,7 +140,7 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
     let points = run.along(0, |p, x| [run.stress(p)[2], exact.cylinder_stress(x)[2]]);
     let title = format!("hoop stress through the wall, {}", run.rung.label);
     let curve = points.map(|points| Curve::new(title, ["r (m)", "stress / p"], points));
-    Ok(Found::of([
+    Ok(Measurements::of([
         ratio(DISPLACEMENT, displacement),
         ratio(RADIAL, radial),
         Quantity::balance(RESIDUAL, run.residual, "1"),

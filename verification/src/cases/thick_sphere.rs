@@ -169,7 +169,7 @@ fn settle(run: &mut Run<'_>) -> Result<(), Failure> {
     run.relax(PI * INNER * INNER * PRESSURE, RESIDUAL_TARGET, OUTER)
 }
 
-fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
+fn compare(run: &mut Run<'_>) -> Result<Measurements, Failure> {
     let (variant, factor) = (run.rung.variant, run.reference.of(&WRONG_PRESSURE));
     let simulation = &*run.simulation;
     let inside = |x: Vector| (INNER..OUTER).contains(&distance(x));
@@ -209,7 +209,7 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
         ["distance from the middle (m)", "stress (Pa)"],
         points,
     );
-    Ok(Found::of([
+    Ok(Measurements::of([
         ratio(DISPLACEMENT, displacement),
         ratio(CELLS, stress),
         Quantity::balance(RESIDUAL, run.residual, "1"),

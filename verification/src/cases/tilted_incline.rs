@@ -384,7 +384,7 @@ fn options(rung: &Rung, _: Reference, options: Options) -> Options {
     }
 }
 
-fn compare(run: Run<'_>) -> Result<Found, Failure> {
+fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
     let rung = run.rung;
     let (simulation, observer) = (run.simulation, run.observer);
     let problem = *rung.problem::<Problem>();
@@ -403,5 +403,5 @@ fn compare(run: Run<'_>) -> Result<Found, Failure> {
     })?;
     let quantities = quantities(&tracks[0], deepest, aside(simulation) - begin, &problem);
     let curve = sliding_curve(&tracks[0], &exact(&problem), &rung.label);
-    Ok(Found::of(quantities).drawn(curve))
+    Ok(Measurements::of(quantities).drawn(curve))
 }

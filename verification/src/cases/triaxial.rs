@@ -114,7 +114,7 @@ fn solve(
     reference: Reference,
     options: &Options,
     observer: &mut dyn Observer,
-) -> Result<Solved, Failure> {
+) -> Result<RungResult, Failure> {
     let (way, time) = (shortening() * HEIGHT, time());
     let down = move |t: f64| -way / time * smooth(t / time)[1];
     let press = Arc::new(Press::smooth(HEIGHT, rung.cell, down));
@@ -134,7 +134,7 @@ fn solve(
 }
 
 /// Results, against the correct reference.
-fn found(simulation: &Simulation, carried: f64) -> Result<Found, Failure> {
+fn found(simulation: &Simulation, carried: f64) -> Result<Measurements, Failure> {
     let exact = exact(Reference::CORRECT);
     let stress = l2(simulation, |p, _| {
         let across = -CELL;
@@ -147,7 +147,7 @@ fn found(simulation: &Simulation, carried: f64) -> Result<Found, Failure> {
     });
     let last = outer.as_deref().and_then(<[CurvePoint]>::last);
     let widening = last.ok_or("no displacements are kept")?.computed;
-    Ok(Found::of([
+    Ok(Measurements::of([
         Quantity::compared(LOAD, carried, exact.carried, "Pa"),
         ratio(STRESS, stress),
         Quantity::compared(RIM, widening, exact.widening(shortening()), "1"),
@@ -155,7 +155,7 @@ fn found(simulation: &Simulation, carried: f64) -> Result<Found, Failure> {
 }
 
 /// Results do not depend on the reference, but for the exact values beside them.
-fn refer(_: &Rung, reference: Reference, solved: &mut Solved) {
+fn refer(_: &Rung, reference: Reference, solved: &mut RungResult) {
     if reference.is_correct() {
         return;
     }

@@ -191,7 +191,7 @@ fn start(rung: &Rung, _: Reference, options: Options) -> Options {
     })
 }
 
-fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
+fn compare(run: &mut Run<'_>) -> Result<Measurements, Failure> {
     let (exact, t) = (exact(run.rung, run.reference.of(&WRONG_ANGLE)), run.time());
     let quantities = run.errors(
         |x| {
@@ -203,7 +203,7 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
             [xx, yy, zz, 0.0, 0.0, xy]
         },
     );
-    Ok(Found::of(quantities))
+    Ok(Measurements::of(quantities))
 }
 
 /// Tables, and orders that are not judged.

@@ -17,7 +17,7 @@
 
 use super::prelude::*;
 use super::vocabulary::moved::smooth;
-use super::vocabulary::yielding::{LAWS, Yielding};
+use super::vocabulary::yielding::{LAWS, PlasticSolid};
 use crate::exact::yielding_column::YieldingColumn as Exact;
 
 const HEIGHT: f64 = 1.0; // Height [m]
@@ -74,8 +74,8 @@ pub static YIELDING_COLUMN: Case = Case::new("yielding-column", "Does a column t
     .wrong_references(&[WRONG_STRENGTH, WRONG_GRAVITY])
     .no_study("its answer depends on the way, which has a rise of gravity and a damping of its own");
 
-fn solid(variant: &'static str, strength: f64) -> Yielding {
-    Yielding {
+fn solid(variant: &'static str, strength: f64) -> PlasticSolid {
+    PlasticSolid {
         variant,
         young: YOUNG,
         strength,
@@ -148,7 +148,11 @@ fn settlement(simulation: &Simulation) -> Result<f64, Failure> {
     }
 }
 
-fn found(reference: Reference, rung: &Rung, simulation: &Simulation) -> Result<Found, Failure> {
+fn found(
+    reference: Reference,
+    rung: &Rung,
+    simulation: &Simulation,
+) -> Result<Measurements, Failure> {
     let (exact, set) = (exact(reference, rung), &simulation.sets()[0]);
     let displacement = l2(simulation, |p, x| {
         let u = [0.0, exact.displacement(x[1]), 0.0];
@@ -181,7 +185,7 @@ fn found(reference: Reference, rung: &Rung, simulation: &Simulation) -> Result<F
         ),
         Quantity::compared(PLASTIC, simulation.plastic_work(), plastic, "J"),
     ];
-    Ok(Found::of(quantities).drawn(curve(simulation, &exact, rung)))
+    Ok(Measurements::of(quantities).drawn(curve(simulation, &exact, rung)))
 }
 
 /// Lateral stress over the initial height.
@@ -214,6 +218,6 @@ fn scene(rung: &Rung, _: &Settings) -> Scene {
     scene
 }
 
-fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
+fn compare(run: &mut Run<'_>) -> Result<Measurements, Failure> {
     found(run.reference, run.rung, run.simulation)
 }

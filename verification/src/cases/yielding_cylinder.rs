@@ -154,7 +154,7 @@ fn settle(run: &mut Run<'_>) -> Result<(), Failure> {
     run.relax(load, RESIDUAL_TARGET, OUTER - INNER)
 }
 
-fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
+fn compare(run: &mut Run<'_>) -> Result<Measurements, Failure> {
     let exact = exact(run.reference.of(&WRONG_STRENGTH));
     let pressure = self::exact(1.0).cylinder_pressure(front(run.rung.variant));
     let front = yielded(&exact, pressure);
@@ -184,7 +184,7 @@ fn compare(run: &mut Run<'_>) -> Result<Found, Failure> {
     });
     let title = format!("hoop stress through the wall, {}", run.rung.label);
     let curve = points.map(|points| Curve::new(title, ["r (m)", "stress (Pa)"], points));
-    Ok(Found::of([
+    Ok(Measurements::of([
         ratio(DISPLACEMENT, displacement),
         Quantity::compared(
             WIDENING,

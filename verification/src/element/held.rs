@@ -25,7 +25,7 @@ const FEELER: f64 = 1e-8;
 const FLAT: f64 = 1e-7;
 
 /// Components that are driven by their stress.
-pub(super) struct Driven {
+pub(super) struct DrivenComponents {
     components: Vec<usize>,
     /// Elastic stiffness of all components \[Pa\], of a law that has one.
     stiffness: Option<DMatrix<f64>>,
@@ -35,14 +35,14 @@ pub(super) struct Driven {
 
 /// Why a step was not taken.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Missed {
+pub(super) enum StepFailure {
     /// Stresses are missed by so much \[Pa\].
     By(f64),
     /// The law broke.
     Fault(PointFault),
 }
 
-impl Driven {
+impl DrivenComponents {
     /// Of a law, with the components that are driven.
     pub fn of(law: &AnyLaw, stress: [bool; 6]) -> Self {
         let moduli = constant(law, "young").zip(constant(law, "poisson"));
@@ -65,14 +65,14 @@ impl Driven {
 /// Takes a step of `dt` \[s\] to a stress of the driven components \[Pa\] with the strains of the others in `increment`, into
 /// which the strains that were found are written. It is gone in parts where it has to be.
 pub(super) fn take(
-    driven: &Driven,
+    driven: &DrivenComponents,
     point: &mut Point,
     target: &[f64; 6],
     increment: &mut [f64; 6],
     dt: f64,
-) -> Result<(), Missed> {
+) -> Result<(), StepFailure> {
     let start = point.stress();
-    let mut worst = Missed::By(f64::INFINITY);
+    let mut worst = StepFailure::By(f64::INFINITY);
     for halvings in 0..=PARTS {
         let parts = 1_u32 << halvings;
         let part = 1.0 / f64::from(parts);
@@ -92,7 +92,7 @@ pub(super) fn take(
             for (sum, one) in sum.iter_mut().zip(guess) {
                 *sum += one;
             }
-            ahead.strain(&guess, dt * part).map_err(Missed::Fault)
+            ahead.strain(&guess, dt * part).map_err(StepFailure::Fault)
         });
         match gone {
             Ok(()) => {
@@ -113,7 +113,7 @@ pub(super) fn take(
 
 /// A step, or a part of one, and the stresses that it must meet.
 struct Meeting<'a> {
-    driven: &'a Driven,
+    driven: &'a DrivenComponents,
     point: &'a Point,
     target: [f64; 6],
     dt: f64,
@@ -149,7 +149,7 @@ impl Meeting<'_> {
     }
 
     /// The strains with which the stresses are met.
-    fn solve(&self, before: &[f64; 6]) -> Result<[f64; 6], Missed> {
+    fn solve(&self, before: &[f64; 6]) -> Result<[f64; 6], StepFailure> {
         if self.driven.components.is_empty() {
             return Ok(*before);
         }
@@ -186,8 +186,8 @@ impl Meeting<'_> {
             nearest = nearest.min(found.missed.amax());
         }
         Err(match fault {
-            Some(fault) if nearest.is_infinite() => Missed::Fault(fault),
-            _ => Missed::By(nearest),
+            Some(fault) if nearest.is_infinite() => StepFailure::Fault(fault),
+            _ => StepFailure::By(nearest),
         })
     }
 

@@ -1,6 +1,6 @@
 //! A path that a user gives row by row: of each component either the strain or the stress.
 
-use super::held::{self, Driven};
+use super::held::{self, DrivenComponents};
 use super::{ElementError, State};
 use proctor_laws::{AnyLaw, Point};
 
@@ -39,7 +39,7 @@ pub fn follow(
         time: 0.0,
         values: std::array::from_fn(|i| if path.stress[i] { start[i] } else { 0.0 }),
     };
-    let driven = Driven::of(law, path.stress);
+    let driven = DrivenComponents::of(law, path.stress);
     let mut increment = [0.0; 6];
     for row in &path.rows {
         let dt = (row.time - before.time) / steps as f64;
@@ -54,8 +54,8 @@ pub fn follow(
             let step = states.len();
             if let Err(missed) = held::take(&driven, &mut point, &target, &mut increment, dt) {
                 let error = match missed {
-                    held::Missed::By(missed) => ElementError::NotHeld { step, missed },
-                    held::Missed::Fault(fault) => ElementError::Fault { step, fault },
+                    held::StepFailure::By(missed) => ElementError::NotHeld { step, missed },
+                    held::StepFailure::Fault(fault) => ElementError::Fault { step, fault },
                 };
                 return (times, states, Err(error));
             }

@@ -43,7 +43,7 @@ pub struct LayerContact {
 
 /// Why there is no solution.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct NotConverged {
+pub struct LayerError {
     /// Largest residual of the gaps \[m\].
     pub residual: f64,
 }
@@ -60,7 +60,7 @@ impl LayerContact {
         cells: usize,
         extent: f64,
         start: f64,
-    ) -> Result<Self, NotConverged> {
+    ) -> Result<Self, LayerError> {
         let width = extent / cells as f64;
         let x = |k: usize| (k as f64 + 0.5) * width;
         // Integral of ln|x - s| over a cell and its mirror image.
@@ -100,7 +100,7 @@ impl LayerContact {
             let mut right = of_gaps.push(of_load);
             right.neg_mut();
             let Some(change) = jacobian.lu().solve(&right) else {
-                return Err(NotConverged { residual });
+                return Err(LayerError { residual });
             };
             // No gap may close by more than half in one iteration: the barrier is steep there.
             let share = (0..cells)
@@ -110,7 +110,7 @@ impl LayerContact {
             gap += share * change.rows(0, cells);
             approach += share * change[cells];
         }
-        Err(NotConverged { residual })
+        Err(LayerError { residual })
     }
 
     /// Load per length \[N/m\].

@@ -7,7 +7,7 @@ use proctor_scene::{
 
 use super::change::Frame;
 use super::dice::Dice;
-use super::seen::{Particle, Seen};
+use super::seen::{FinalState, Particle};
 use super::{crowd, law};
 use crate::cases::{NO_RESULTS, body, cuboid};
 
@@ -233,7 +233,7 @@ pub fn vertical(p: &Particle, frame: &Frame, up: usize) -> f64 {
 /// Largest share of a number by which the vertical stress of a particle is off, among those that `asked` gives an exact stress
 /// \[Pa\] and the number \[Pa\].
 pub fn off(
-    seen: &Seen,
+    seen: &FinalState,
     frame: &Frame,
     up: usize,
     asked: impl Fn(f64, i64) -> Option<(f64, f64)>,

@@ -3,7 +3,7 @@
 use proctor_scene::{Scene, Vector};
 
 use super::change::Frame;
-use super::seen::{Particle, Seen, largest};
+use super::seen::{FinalState, Particle, largest};
 use super::units::Units;
 use super::{Deviation, Judge};
 
@@ -20,7 +20,7 @@ pub struct Scale {
 
 impl Scale {
     /// That of a run.
-    pub fn of(scene: &Scene, seen: &Seen) -> Self {
+    pub fn of(scene: &Scene, seen: &FinalState) -> Self {
         let axes = scene.dimension.axes();
         let cells = scene.mesh.cell[..axes].iter();
         let impedance = scene.materials.iter().fold(0.0_f64, |most, m| {
@@ -102,8 +102,8 @@ fn lost() -> Deviation {
 
 /// The particles of the first run, each with that of the second that began at the same place.
 fn pairs<'a>(
-    one: &'a Seen,
-    two: &'a Seen,
+    one: &'a FinalState,
+    two: &'a FinalState,
     frame: &Frame,
     units: &Units,
     axes: usize,

@@ -31,7 +31,7 @@ pub const NORMALS: [ContactNormal; 3] = [
 
 /// The choices of a crowd.
 #[derive(Clone, Copy, Debug)]
-pub struct Allowed {
+pub struct CrowdChoices {
     /// Conditions on the planes of the mesh, gravity, loads and damping. Without them momentum is kept.
     pub outside: bool,
     /// Damping whose force jumps where a velocity or the growth of the energy changes its sign, and so with round-off.
@@ -43,7 +43,7 @@ pub struct Allowed {
 }
 
 /// All that there is.
-pub const ALL: Allowed = Allowed {
+pub const ALL: CrowdChoices = CrowdChoices {
     outside: true,
     jumps: true,
     meet: true,
@@ -54,7 +54,7 @@ pub const ALL: Allowed = Allowed {
 const MARGIN: usize = 4;
 
 /// Bodies in a row along an axis.
-pub fn scene(dice: &mut Dice, allowed: Allowed) -> Scene {
+pub fn scene(dice: &mut Dice, allowed: CrowdChoices) -> Scene {
     let dimension = dimension(dice);
     let axes = dimension.axes();
     let edge = dice.cell();
@@ -204,7 +204,7 @@ fn contacts(dice: &mut Dice, scene: &mut Scene) {
 }
 
 /// Gravity, planes, loads and damping; `speed` \[m/s\] bounds their changes of velocity.
-fn outside(dice: &mut Dice, scene: &mut Scene, allowed: Allowed, speed: f64) {
+fn outside(dice: &mut Dice, scene: &mut Scene, allowed: CrowdChoices, speed: f64) {
     let axes = scene.dimension.axes();
     if dice.chance(0.5) {
         scene.gravity[axes - 1] = -dice.between(0.2, 1.0) * speed / scene.time;

@@ -21,7 +21,7 @@ const BOUND: f64 = 1e-11;
 fn flight(dice: &mut Dice) -> Trial {
     let mut scene = crowd::scene(
         dice,
-        crowd::Allowed {
+        crowd::CrowdChoices {
             outside: false,
             meet: false,
             ..crowd::ALL
@@ -43,7 +43,7 @@ fn flight(dice: &mut Dice) -> Trial {
         .map(|m| m.density * m.law.wave_speed(m.density))
         .fold(0.0, f64::max);
     let length = largest(scene.mesh.cell[..axes].iter().copied());
-    let judge = Box::new(move |seen: &[super::Seen]| {
+    let judge = Box::new(move |seen: &[super::FinalState]| {
         let [seen] = seen else { return vec![] };
         let mut off = [0.0_f64; 3];
         for p in &seen.particles {

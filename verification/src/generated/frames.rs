@@ -69,7 +69,7 @@ fn shift(dice: &mut Dice) -> Trial {
 
 /// A crowd, and the same in a frame whose shift is in units of a hundred cells.
 fn asked(dice: &mut Dice, frame: impl Fn(&mut Dice, usize) -> Frame) -> Trial {
-    let allowed = crowd::Allowed {
+    let allowed = crowd::CrowdChoices {
         jumps: false,
         ..crowd::ALL
     };

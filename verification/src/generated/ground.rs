@@ -4,7 +4,7 @@ use proctor_scene::{Contact, Dimension, History, InitialStress, Shape, Weighting
 
 use super::column::{self, Column, Layer};
 use super::dice::Dice;
-use super::seen::Seen;
+use super::seen::FinalState;
 use super::{Deviation, Question, Run, Trial, crowd};
 use crate::cases::{body, cuboid};
 
@@ -133,7 +133,7 @@ fn judged(dice: &mut Dice, mut column: Column, weight: f64, surface: f64, base: 
     };
     let bound = ROWS + middle * h / (top - bottom);
     let frame = column.turn(dice);
-    let judge = Box::new(move |seen: &[Seen]| {
+    let judge = Box::new(move |seen: &[FinalState]| {
         let [seen] = seen else { return vec![] };
         let scale = weight * (top - bottom);
         let off = column::off(seen, &frame, up, |z, body| {

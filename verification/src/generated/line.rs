@@ -12,7 +12,7 @@ use proctor_scene::{
 use super::change::Frame;
 use super::column::{self, Column, Layer};
 use super::dice::Dice;
-use super::seen::Seen;
+use super::seen::FinalState;
 use super::{Deviation, Question, Run, Trial, pressed};
 
 /// A block on a line.
@@ -96,7 +96,7 @@ fn line(dice: &mut Dice) -> Trial {
     // The lines of its particles are no wider than the layer over their count.
     let particles = column.scene.bodies[0].particles_per_cell[1] as f64;
     let row = h / particles;
-    let judge = Box::new(move |seen: &[Seen]| {
+    let judge = Box::new(move |seen: &[FinalState]| {
         let [seen] = seen else { return vec![] };
         let rows = |first: bool| {
             column::off(seen, &Frame::SAME, 1, |z, _| {

@@ -25,7 +25,7 @@ mod units;
 
 pub use cause::cause;
 pub use dice::Dice;
-pub use seen::{Particle, Seen};
+pub use seen::{FinalState, Particle};
 
 use proctor_scene::Scene;
 use proctor_scene::plan::PlanOptions;
@@ -79,7 +79,7 @@ pub struct Trial {
 }
 
 /// Distances of results from what they should be.
-pub type Judge = Box<dyn Fn(&[Seen]) -> Vec<Deviation> + Send + Sync>;
+pub type Judge = Box<dyn Fn(&[FinalState]) -> Vec<Deviation> + Send + Sync>;
 
 /// A scene with the number of threads that run it, to its end.
 pub struct Run {
@@ -245,11 +245,11 @@ pub fn answer(seed: u64, number: u64) -> Answer {
 ///
 /// # Errors
 /// The reason for which a scene is refused, or a step of it fails.
-pub fn results(runs: &[Run]) -> Result<Vec<Seen>, String> {
+pub fn results(runs: &[Run]) -> Result<Vec<FinalState>, String> {
     runs.iter().map(result).collect()
 }
 
-fn result(run: &Run) -> Result<Seen, String> {
+fn result(run: &Run) -> Result<FinalState, String> {
     let options = Options {
         threads: Some(run.threads),
         // Small as scenes are here, all threads take part.
@@ -257,7 +257,7 @@ fn result(run: &Run) -> Result<Seen, String> {
         ..Options::default()
     };
     let mut simulation = run.scene.simulate(&options).map_err(|e| e.to_string())?;
-    let start = Seen::start(&simulation);
+    let start = FinalState::start(&simulation);
     let mut end = run.scene.time;
     loop {
         if simulation.time() >= end {

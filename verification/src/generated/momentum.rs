@@ -3,7 +3,7 @@
 use proctor_scene::{Scene, Transfer, TransferKind, Vector, Weighting};
 
 use super::dice::Dice;
-use super::seen::{Seen, largest};
+use super::seen::{FinalState, largest};
 use super::{Deviation, Question, Trial, crowd};
 
 /// Mass and momentum.
@@ -29,7 +29,7 @@ const BOUND: f64 = 1e-12;
 
 /// Bodies that meet, with nothing outside.
 fn collision(dice: &mut Dice) -> Scene {
-    let allowed = crowd::Allowed {
+    let allowed = crowd::CrowdChoices {
         outside: false,
         ..crowd::ALL
     };
@@ -38,7 +38,7 @@ fn collision(dice: &mut Dice) -> Scene {
 
 fn momentum(dice: &mut Dice) -> Trial {
     let scene = collision(dice);
-    let judge = Box::new(|seen: &[Seen]| {
+    let judge = Box::new(|seen: &[FinalState]| {
         let [seen] = seen else { return vec![] };
         let sum = |axis: usize, end: bool| -> f64 {
             let of = |p: &super::Particle| {
@@ -71,7 +71,7 @@ fn spin(dice: &mut Dice) -> Trial {
     scene.weighting = Weighting::QuadraticBSpline;
     scene.transfer = Transfer::new(TransferKind::Apic);
     let cell = scene.mesh.cell;
-    let judge = Box::new(move |seen: &[Seen]| {
+    let judge = Box::new(move |seen: &[FinalState]| {
         let [seen] = seen else { return vec![] };
         let (start, end) = (of(seen, &cell, false), of(seen, &cell, true));
         let change = largest((0..3).map(|axis| end[axis] - start[axis]));
@@ -89,7 +89,7 @@ fn spin(dice: &mut Dice) -> Trial {
 }
 
 /// Largest distance from the middle of the first particles \[m\].
-fn reach(seen: &Seen) -> f64 {
+fn reach(seen: &FinalState) -> f64 {
     let first = seen.particles[0].start;
     largest(
         seen.particles
@@ -99,7 +99,7 @@ fn reach(seen: &Seen) -> f64 {
 }
 
 /// Angular momentum about where the first particle began, affine velocities with it \[kg m²/s\].
-fn of(seen: &Seen, cell: &Vector, end: bool) -> Vector {
+fn of(seen: &FinalState, cell: &Vector, end: bool) -> Vector {
     let about = seen.particles[0].start;
     let mut sum = [0.0; 3];
     for p in &seen.particles {

@@ -35,7 +35,7 @@ pub static CUT: Question = Question {
 };
 
 fn bodies(dice: &mut Dice) -> Trial {
-    let allowed = crowd::Allowed {
+    let allowed = crowd::CrowdChoices {
         jumps: false,
         ..crowd::ALL
     };
@@ -72,7 +72,7 @@ fn threads(dice: &mut Dice) -> Trial {
 }
 
 fn cut(dice: &mut Dice) -> Trial {
-    let allowed = crowd::Allowed {
+    let allowed = crowd::CrowdChoices {
         jumps: false,
         ..crowd::ALL
     };

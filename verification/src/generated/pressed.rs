@@ -4,7 +4,7 @@ use proctor_scene::{Contact, Dimension, History, Scene, Weighting};
 
 use super::column::{self, Column, Layer};
 use super::dice::Dice;
-use super::seen::Seen;
+use super::seen::FinalState;
 use super::{Deviation, Question, Run, Trial, crowd};
 
 /// Layers that share one field.
@@ -192,7 +192,7 @@ fn pressed(dice: &mut Dice, mut column: Column, interfaces: &[usize], felt: f64)
         .filter(|body| body.motion.is_some())
         .map(|body| body.id)
         .collect();
-    let judge = Box::new(move |seen: &[Seen]| {
+    let judge = Box::new(move |seen: &[FinalState]| {
         let [seen] = seen else { return vec![] };
         let rows = |beside: bool| {
             column::off(seen, &frame, up, |z, body| {

@@ -32,7 +32,7 @@ pub struct Particle {
 
 /// The particles and the end of a run.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Seen {
+pub struct FinalState {
     /// Particles by body and identifier.
     pub particles: Vec<Particle>,
     /// Number of steps.
@@ -43,7 +43,7 @@ pub struct Seen {
     pub cautions: Vec<&'static str>,
 }
 
-impl Seen {
+impl FinalState {
     /// The particles of a simulation that has not begun.
     #[must_use]
     pub fn start(simulation: &Simulation) -> Self {

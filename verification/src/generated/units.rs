@@ -4,7 +4,7 @@ use proctor_scene::{InitialStress, Scene, Shape, Vector};
 
 use super::change::Frame;
 use super::dice::Dice;
-use super::seen::Seen;
+use super::seen::FinalState;
 use super::{Deviation, Judge, Question, Trial, compare, crowd, law};
 
 /// Units that are powers of two.
@@ -151,7 +151,7 @@ fn powers(dice: &mut Dice) -> Trial {
 }
 
 /// Number of particles that are not the same bits in the other units.
-fn differing(one: &Seen, two: &Seen, units: &Units, axes: usize) -> usize {
+fn differing(one: &FinalState, two: &FinalState, units: &Units, axes: usize) -> usize {
     if one.particles.len() != two.particles.len() {
         return usize::MAX;
     }
@@ -170,7 +170,7 @@ fn odd(dice: &mut Dice) -> Trial {
         mass: dice.pick(&[3.0, 0.1, 7.0, 1.0]),
         time: dice.pick(&[3.0, 0.1, 0.7, 1.0]),
     };
-    let allowed = crowd::Allowed {
+    let allowed = crowd::CrowdChoices {
         jumps: false,
         ..crowd::ALL
     };

@@ -41,7 +41,7 @@ pub const LEAST_MEDIAN: f64 = 1.8;
 
 /// Expectations for a problem on its finest pair of meshes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Expected {
+pub struct Expectations {
     /// Least order of the displacement; none where its error is round-off or time alone.
     pub displacement: Option<f64>,
     /// Least order of the stress.
@@ -63,7 +63,7 @@ const MOST_TURN: f64 = 0.5;
 /// Floors of orders lie below theory by what meshes of 8 to 32 cells show before errors are asymptotic; bounds of errors are
 /// some times those of the verification notes, A1 to A3, at 32 cells, and fall with h².
 #[must_use]
-pub fn of(problem: &Problem) -> Expected {
+pub fn of(problem: &Problem) -> Expectations {
     let finest = problem.ladder.last().copied().unwrap_or(1) as f64;
     let scale = (32.0 / finest).powi(2);
     let turn = (problem.motion.spin * problem.end).abs();
@@ -95,7 +95,7 @@ pub fn of(problem: &Problem) -> Expected {
         [0.03, 0.1]
     };
     let stress = if kind.has_edges() { 0.4 } else { 0.85 };
-    Expected {
+    Expectations {
         displacement: (!affine).then_some(displacement),
         stress: (!affine && (!floats || turn < MOST_TURN)).then_some(stress),
         variable: (problem.material.kind.yields() && !affine).then_some(0.85),

@@ -78,13 +78,13 @@ pub fn answer(seed: u64, number: u64) -> Result<Answer, Vec<String>> {
 }
 
 /// Errors on a ladder or why a run failed, and gates.
-pub type Judged = (Result<Vec<Errors>, String>, Vec<Gate>);
+pub type LadderJudgement = (Result<Vec<Errors>, String>, Vec<Gate>);
 
 /// Runs the ladder of a problem, with deliberate faults if there are any.
 ///
 /// # Errors
 /// The reason for which the problem has no solution to converge to.
-pub fn judge(problem: &Problem, faults: &Faults) -> Result<Judged, String> {
+pub fn judge(problem: &Problem, faults: &Faults) -> Result<LadderJudgement, String> {
     let mut errors = vec![];
     for &cells in &problem.ladder {
         match ladder::run(problem, cells, faults) {

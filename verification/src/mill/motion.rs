@@ -93,7 +93,7 @@ pub struct Motion {
 }
 
 /// A function of time with its first two derivatives.
-type Timed = Jet<1, Jet<1>>;
+type TimeFunction = Jet<1, Jet<1>>;
 
 /// The parts of a motion that depend on time alone, with derivatives of first and second order.
 #[derive(Clone, Copy, Debug)]
@@ -160,10 +160,10 @@ impl Motion {
     /// The share that depends on time.
     #[must_use]
     pub fn at(&self, t: f64) -> Moment {
-        let time = Timed::variable(Jet::variable(t, 0), 0);
+        let time = TimeFunction::variable(Jet::variable(t, 0), 0);
         let frame = self.frame(time);
-        let pulse = (time * Timed::of(self.pulse)).sin();
-        let derivatives = |x: Timed| {
+        let pulse = (time * TimeFunction::of(self.pulse)).sin();
+        let derivatives = |x: TimeFunction| {
             [
                 x.value.value,
                 x.partials[0].value,

@@ -35,7 +35,7 @@ struct State<const D: usize> {
 
 /// The state of a place at the end of a path.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Ended {
+pub struct PathEnd {
     /// Cauchy stress xx, yy, zz, yz, xz, xy \[Pa\].
     pub stress: [f64; 6],
     /// Internal variables.
@@ -78,7 +78,7 @@ pub fn follow<M: Law, const D: usize>(
     moments: &[Moment],
     dt: f64,
     mut at: impl FnMut(usize, [f64; 3]),
-) -> Ended {
+) -> PathEnd {
     let zero = Jet::<D>::of(0.0);
     let mut stress = Stress::of_packed([zero; 6]);
     for component in Component::ALL {
@@ -117,7 +117,7 @@ pub fn follow<M: Law, const D: usize>(
     let stress = Component::ALL.map(|c| better(fine.stress[c], whole.stress[c]));
     let full = full::<D>(&stress);
     let both = fine.variables.iter().zip(&whole.variables);
-    Ended {
+    PathEnd {
         stress: PLACES.map(|(i, j)| full[i][j].value),
         variables: both.map(|(f, w)| better(*f, *w).value).collect(),
         least_growth,

@@ -8,7 +8,7 @@ use proctor_scene::simulation::{InitialState, Options, SetupError, Simulation};
 
 use super::material::{Kind, divergence};
 use super::motion::{Moment, Place, Vector, apply, determinant};
-use super::path::{Ended, Start, follow};
+use super::path::{PathEnd, Start, follow};
 use super::problem::{Family, Problem};
 use crate::exact::jet::Jet;
 
@@ -21,7 +21,7 @@ pub struct Reference {
     /// Those of the steps; the last is the end.
     moments: Vec<Moment>,
     /// Of laws with a memory: Div P \[N/m³\] in each step of each particle, and what they end with.
-    followed: Option<(Vec<Vector>, Vec<Ended>)>,
+    followed: Option<(Vec<Vector>, Vec<PathEnd>)>,
     dt: f64,
 }
 
@@ -216,7 +216,7 @@ fn follow_all(
     places: &[Place],
     moments: &[Moment],
     dt: f64,
-) -> (Vec<Vector>, Vec<Ended>) {
+) -> (Vec<Vector>, Vec<PathEnd>) {
     let material = &problem.material;
     match material.kind {
         Kind::VonMises => of_law(problem, &material.von_mises(), 1, places, moments, dt),
@@ -238,7 +238,7 @@ fn of_law<M: Law>(
     places: &[Place],
     moments: &[Moment],
     dt: f64,
-) -> (Vec<Vector>, Vec<Ended>) {
+) -> (Vec<Vector>, Vec<PathEnd>) {
     let start = Start {
         law,
         order,
@@ -270,7 +270,7 @@ fn of_uniform<M: Law>(
     places: &[Place],
     moments: &[Moment],
     dt: f64,
-) -> (Vec<Vector>, Vec<Ended>) {
+) -> (Vec<Vector>, Vec<PathEnd>) {
     let each = moments.len() / 2 + 1;
     let ended = if axes == 2 {
         follow::<M, 2>(start, &places[0], moments, dt, |_, _| ())

@@ -1,7 +1,7 @@
 //! One step of the kernel as a linear map of velocities and stresses, with particles that stay where they are.
 
 use proctor_kernel::layout::Layout;
-use proctor_scene::simulation::{Options, Saved, Simulation};
+use proctor_scene::simulation::{Options, SavedState, Simulation};
 use proctor_scene::{Damping, InitialStress, Mortar, PlaneCondition, Scene, TimeStep};
 
 use super::StabilityError;
@@ -22,9 +22,9 @@ pub struct State {
 }
 
 /// A body, or several, at rest and without stress, of which steps are taken as a linear map.
-pub struct Frozen {
+pub struct LinearMotion {
     simulation: Simulation,
-    rest: Saved,
+    rest: SavedState,
     /// Cell over wave speed \[s\]: the unit of time.
     unit: f64,
     motion: Vec<Column>,
@@ -40,7 +40,7 @@ struct Column {
     unit: f64,
 }
 
-impl Frozen {
+impl LinearMotion {
     /// The linear part of a scene at its start: bodies at rest without stress, each of the linear elastic law that its
     /// own law is at rest; mesh, planes, held nodes and method as they are; no loads, no damping, no contact.
     ///
@@ -145,7 +145,7 @@ impl Frozen {
     }
 }
 
-fn write(columns: &[Column], values: &[f64], saved: &mut Saved) {
+fn write(columns: &[Column], values: &[f64], saved: &mut SavedState) {
     let mut rest = values;
     for column in columns {
         let slots = &mut saved.state.sets[column.body].columns[column.index];

@@ -5,7 +5,7 @@ use proctor_scene::{Dimension, DomainUpdate, StressScheme, TransferKind, Weighti
 
 use super::StabilityError;
 use super::block::{Choice, Form, Place, Worst};
-use super::measured::{Measured, RANGE, climb, measure};
+use super::measured::{MeasuredLimit, RANGE, climb, measure};
 use crate::case::{Gate, Size};
 use crate::settings::Method;
 
@@ -71,7 +71,7 @@ pub struct Site {
     /// The predicted Courant number; `None` where a step is not linear.
     pub predicted: Option<f64>,
     /// The measured one.
-    pub measured: Measured,
+    pub measured: MeasuredLimit,
     /// Why the kernel's step must be stable here; `None` where the kernel says that it may not be.
     pub must_hold: Option<&'static str>,
 }

@@ -35,12 +35,12 @@ const PACE: f64 = 1.1;
 
 /// A limit that was measured.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Measured {
+pub struct MeasuredLimit {
     /// Largest Courant number that was seen to be stable below all that were not; `None` where there is none in the range.
     pub stable: Option<f64>,
     /// Smallest that was seen to be unstable; `None` where there is none in the range.
     pub unstable: Option<f64>,
-    /// Why the run at [`Measured::unstable`] fails.
+    /// Why the run at [`MeasuredLimit::unstable`] fails.
     pub class: Option<Class>,
     /// Runs that were made.
     pub runs: usize,
@@ -74,7 +74,7 @@ pub fn bisect<E>(
     guess: f64,
     range: [f64; 2],
     mut stable: impl FnMut(f64) -> Result<bool, E>,
-) -> Result<Measured, E> {
+) -> Result<MeasuredLimit, E> {
     let mut runs = 0;
     let mut holds = |courant: f64| {
         runs += 1;
@@ -123,7 +123,7 @@ pub fn bisect<E>(
         Some(_) => Some(Class::OtherCause),
         None => None,
     };
-    Ok(Measured {
+    Ok(MeasuredLimit {
         stable: low,
         unstable: high,
         class,
@@ -135,7 +135,7 @@ pub fn bisect<E>(
 ///
 /// # Errors
 /// A scene that is refused.
-pub fn measure(scene: &Scene, guess: f64) -> Result<Measured, StabilityError> {
+pub fn measure(scene: &Scene, guess: f64) -> Result<MeasuredLimit, StabilityError> {
     bisect(guess, RANGE, |courant| holds(scene, courant))
 }
 
@@ -144,7 +144,7 @@ pub fn measure(scene: &Scene, guess: f64) -> Result<Measured, StabilityError> {
 ///
 /// # Errors
 /// A scene that is refused.
-pub fn climb(scene: &Scene) -> Result<Measured, StabilityError> {
+pub fn climb(scene: &Scene) -> Result<MeasuredLimit, StabilityError> {
     let mut guess = FOOT;
     let mut runs = 0;
     while guess < RANGE[1] && holds(scene, guess)? {
@@ -154,7 +154,7 @@ pub fn climb(scene: &Scene) -> Result<Measured, StabilityError> {
     // No step that held is tried again from above.
     let range = [(guess / PACE).max(RANGE[0]), guess];
     let found = bisect(guess / FIRST[0], range, |courant| holds(scene, courant))?;
-    Ok(Measured {
+    Ok(MeasuredLimit {
         runs: runs + found.runs,
         ..found
     })

@@ -9,7 +9,7 @@ use proctor_scene::simulation::{Options, Simulation};
 use proctor_scene::{DomainUpdate, Scene, StressScheme, TimeStep, TransferKind, Weighting};
 
 use super::StabilityError;
-use super::measured::{Measured, bisect, courant_one};
+use super::measured::{MeasuredLimit, bisect, courant_one};
 use crate::case::{Gate, Size};
 use crate::settings::{Method, Settings};
 use scenes::Set;
@@ -170,8 +170,8 @@ pub struct Limit {
     /// Highest energy with the kernel's steps over that of the reference; infinite where a step failed.
     pub energy: f64,
     /// Steps over the kernel's.
-    pub measured: Measured,
-    /// Why the run at the kernel's steps ended, or else that at [`Measured::unstable`], where it was by an error.
+    pub measured: MeasuredLimit,
+    /// Why the run at the kernel's steps ended, or else that at [`MeasuredLimit::unstable`], where it was by an error.
     pub refusal: Option<String>,
 }
 
@@ -248,7 +248,7 @@ impl Nonlinear {
 }
 
 /// What a run gave.
-struct Ran {
+struct RunGrowth {
     /// Highest energy that was seen \[J\].
     energy: f64,
     /// Smallest step \[s\].
@@ -262,12 +262,12 @@ fn run(
     options: &Options,
     time_step: TimeStep,
     most: f64,
-) -> Result<Ran, StabilityError> {
+) -> Result<RunGrowth, StabilityError> {
     let mut scene = scene.clone();
     scene.time_step = time_step;
     let mut simulation = scene.simulate(options)?;
     let begin = energy(&simulation);
-    let mut ran = Ran {
+    let mut ran = RunGrowth {
         energy: begin,
         dt: f64::INFINITY,
         failed: None,

@@ -19,7 +19,7 @@ use proctor_scene::{Scene, Vector};
 
 use super::StabilityError;
 use super::arnoldi::{dot, largest};
-use super::frozen::{Frozen, State};
+use super::frozen::{LinearMotion, State};
 
 /// Vectors that are kept at most in the search for the eigenvalue.
 const MOST_VECTORS: usize = 120;
@@ -63,7 +63,7 @@ pub struct Ruler {
 /// # Errors
 /// A scene that is refused, or an iteration that does not come to an end.
 pub fn predict(scene: &Scene) -> Result<Option<Limit>, StabilityError> {
-    let mut frozen = Frozen::new(scene)?;
+    let mut frozen = LinearMotion::new(scene)?;
     let [motion, stress] = frozen.sizes();
     let most = (MEMORY / (8 * stress.max(1))).clamp(12, MOST_VECTORS);
     let found = largest(stress, most, |s| stiffness(&mut frozen, motion, s))?;
@@ -86,7 +86,7 @@ pub fn predict(scene: &Scene) -> Result<Option<Limit>, StabilityError> {
 /// # Errors
 /// As [`predict`].
 pub fn grid_bound(scene: &Scene) -> Result<Option<f64>, StabilityError> {
-    let mut frozen = Frozen::new(scene)?;
+    let mut frozen = LinearMotion::new(scene)?;
     let [motion, stress] = frozen.sizes();
     let found = largest(stress, MOST_VECTORS, |s| {
         let after = frozen.step(
@@ -102,7 +102,11 @@ pub fn grid_bound(scene: &Scene) -> Result<Option<f64>, StabilityError> {
 }
 
 /// K s, with steps of one unit of time.
-fn stiffness(frozen: &mut Frozen, motion: usize, s: &[f64]) -> Result<Vec<f64>, StabilityError> {
+fn stiffness(
+    frozen: &mut LinearMotion,
+    motion: usize,
+    s: &[f64],
+) -> Result<Vec<f64>, StabilityError> {
     let pushed = frozen.step(
         &State {
             motion: vec![0.0; motion],
@@ -160,7 +164,7 @@ fn difference(a: &[f64], b: &[f64]) -> Vec<f64> {
 }
 
 /// The particle with the largest stress of an eigenvector.
-fn ruler(scene: &Scene, frozen: &Frozen, vector: &[f64]) -> Ruler {
+fn ruler(scene: &Scene, frozen: &LinearMotion, vector: &[f64]) -> Ruler {
     let size = |value: &f64| value.abs();
     let largest = frozen
         .particles_of_stress()
@@ -188,7 +192,7 @@ fn ruler(scene: &Scene, frozen: &Frozen, vector: &[f64]) -> Ruler {
 /// # Errors
 /// As [`predict`].
 pub fn growth(scene: &Scene, courant: f64, steps: usize) -> Result<f64, StabilityError> {
-    let mut frozen = Frozen::new(scene)?;
+    let mut frozen = LinearMotion::new(scene)?;
     let [motion, stress] = frozen.sizes();
     let values = |size: usize, seed: u64| -> Vec<f64> {
         (0..size as u64)

@@ -42,7 +42,7 @@ const FACTOR: f64 = 10.0;
 
 /// A method with its step, and the bar's resolution.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Stressed {
+pub struct StressedBar {
     /// Weighting function and scheme; the transfer's kind is that of `transfer`.
     pub method: Method,
     /// Transfer with its share of PIC.
@@ -57,7 +57,7 @@ pub struct Stressed {
     pub courant: f64,
 }
 
-impl Stressed {
+impl StressedBar {
     /// The same bar with another method, at a step that the method bears without tension.
     #[must_use]
     pub fn with_method(self, method: Method) -> Self {
@@ -113,7 +113,7 @@ pub fn ask(scene: &Scene, dt: f64) -> Result<Option<TensionReport>, StabilityErr
         return Ok(None);
     };
     let body = &scene.bodies[foreseen.body];
-    let own = Stressed {
+    let own = StressedBar {
         method: method_of(scene),
         transfer: scene.transfer,
         dimension: scene.dimension,
@@ -154,7 +154,7 @@ fn poisson_at_rest(material: &Material) -> f64 {
     poisson(material.law.young() / (material.density * speed * speed))
 }
 
-impl Stressed {
+impl StressedBar {
     /// The bar: density 1 kg/m³, modulus of confined strain 1 Pa.
     fn scene(&self) -> Scene {
         let axes = self.dimension.axes();

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use proctor_scene::Scene;
-use proctor_verification::case::{Case, Gate, Size, Solved};
+use proctor_verification::case::{Case, Gate, RungResult, Size};
 use proctor_verification::cases::grains_apart::{Polyline, Room, beyond, inside, smallest};
 use proctor_verification::cases::{
     COLLAPSE, COLLIDING_BLOCKS, FOOTING, INCLINED_BLOCK, ROLLING_DISK, SLOPE, SPHERE_ON_TERRAIN,
@@ -88,7 +88,7 @@ fn an_impulse_off_by_twice_its_gate_breaks_it() {
     let mut found = 0;
     for (rung, solved) in quick(&COLLIDING_BLOCKS) {
         // Gates of the rung, judged alone.
-        let judged = |solved: Solved| {
+        let judged = |solved: RungResult| {
             let verdict = COLLIDING_BLOCKS.judge(Size::Quick, &[(rung.clone(), solved)]);
             let own = format!("{}: ", rung.label);
             let gates = verdict.gates.into_iter();

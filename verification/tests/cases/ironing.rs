@@ -2,13 +2,13 @@
 
 use super::{failing, quick};
 use proctor_files::json::read;
-use proctor_verification::case::{Quantity, Rung, Size, Solved};
+use proctor_verification::case::{Quantity, Rung, RungResult, Size};
 use proctor_verification::cases::IRONING;
 use proctor_verification::sensitivity::{Reaction, reactions};
 use std::path::Path;
 
 /// What the whole ladder should give: the figures themselves, and no error.
-fn figures() -> Vec<(Rung, Solved)> {
+fn figures() -> Vec<(Rung, RungResult)> {
     let of = |rung: &Rung| -> [f64; 3] {
         let figures = if rung.variant.contains("friction") {
             [479.0, 525.0, -82.0]
@@ -47,7 +47,7 @@ fn figures() -> Vec<(Rung, Solved)> {
             ripple.clone(),
             quantity("L2 of the force while it goes down", 0.0),
         ];
-        let solved = Solved {
+        let solved = RungResult {
             particles: 1,
             steps: 1,
             time: 180.0,
@@ -62,7 +62,7 @@ fn figures() -> Vec<(Rung, Solved)> {
 }
 
 /// Gates that fail where the run of one variant gave what that of another should.
-fn mistaken(solved: &[(Rung, Solved)], size: Size, variant: &str, other: &str) -> Vec<String> {
+fn mistaken(solved: &[(Rung, RungResult)], size: Size, variant: &str, other: &str) -> Vec<String> {
     let of = |variant: &str| {
         let found = solved.iter().position(|(r, _)| r.variant == variant);
         found.expect("it is run")
@@ -83,7 +83,7 @@ fn friction_is_told_from_none() {
     for (variant, other) in [(with, without), (without, with)] {
         let failing = mistaken(quick, Size::Quick, variant, other);
         assert_eq!(failing.len(), 1, "{failing:?}");
-        assert!(failing[0].contains("what friction adds to the force at 60 s"));
+        assert!(failing[0].contains("increase by friction of the force at 60 s"));
     }
     let full = figures();
     assert!(IRONING.judge(Size::Full, &full).passed());

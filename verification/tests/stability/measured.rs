@@ -1,11 +1,11 @@
 //! The search for a limit, on functions whose limit is known.
 
-use proctor_verification::stability::measured::{Class, Measured, RANGE, bisect};
+use proctor_verification::stability::measured::{Class, MeasuredLimit, RANGE, bisect};
 
 /// How near to each other the ends of the range of a limit are.
 const NARROW: f64 = 1.02;
 
-fn found(limit: f64, guess: f64) -> Measured {
+fn found(limit: f64, guess: f64) -> MeasuredLimit {
     bisect::<()>(guess, RANGE, |c| Ok(c < limit)).expect("no error")
 }
 

@@ -7,12 +7,12 @@ use proctor_scene::{
 };
 use proctor_verification::settings::Method;
 use proctor_verification::stability::scene::ask;
-use proctor_verification::stability::tension::Stressed;
+use proctor_verification::stability::tension::StressedBar;
 
 const COURANT: f64 = 0.8;
 
-fn bar(weighting: Weighting, scheme: StressScheme, transfer: TransferKind) -> Stressed {
-    Stressed {
+fn bar(weighting: Weighting, scheme: StressScheme, transfer: TransferKind) -> StressedBar {
+    StressedBar {
         method: Method {
             weighting,
             scheme,
@@ -57,7 +57,7 @@ fn noise_in_tension_grows_in_space() {
         StressScheme::Musl,
         TransferKind::Flip,
     );
-    let space = Stressed {
+    let space = StressedBar {
         dimension: Dimension::Three,
         particles_per_cell: [2; 3],
         ..plane

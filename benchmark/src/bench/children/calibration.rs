@@ -6,7 +6,7 @@
 
 use super::compare::displacements;
 use super::finding::{Finding, findings};
-use super::process::{self, Finished};
+use super::process::{self, ProcessUsage};
 use super::said::with_words;
 use crate::bench::config::{Executable, TimeLabel};
 use crate::frames::{self, Frame};
@@ -116,11 +116,11 @@ pub(crate) fn calibrate(
     threads: usize,
     folder: &Path,
     stop: &AtomicBool,
-) -> Result<(Finished, Calibration), Fault> {
+) -> Result<(ProcessUsage, Calibration), Fault> {
     let folder = folder.join(format!("calibration-{axes}d"));
     let out = folder.join(crate::record::key(&executable.name));
     let file = folder.join(executable.scene_file());
-    let run = || -> Result<(Finished, Frame, Option<f64>), String> {
+    let run = || -> Result<(ProcessUsage, Frame, Option<f64>), String> {
         process::prepare(&out, &file, &executable.given(&scene(axes)))?;
         let finished = process::run(executable, &file, threads, &out, stop)?;
         let (frame, label) = last_frame(&out)?;

@@ -18,7 +18,7 @@ pub use calibration::{Calibration, Fault, judge, scene as free_fall};
 pub use compare::{difference, error, same_time};
 pub use finding::Finding;
 pub use process::{is_endless, is_skip};
-pub(crate) use visit::Handed;
+pub(crate) use visit::GuestScene;
 
 use super::config::{Config, Executable, TimeLabel, proctor_command};
 use super::plan::words;

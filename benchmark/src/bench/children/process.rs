@@ -1,7 +1,7 @@
 //! A process: its command, its time, its memory.
 
 use super::said;
-use super::watch::{self, Ended};
+use super::watch::{self, EndCause};
 use crate::bench::config::Executable;
 use crate::measure::Spent;
 use crate::record::Row;
@@ -39,7 +39,7 @@ pub fn is_endless(reason: &str) -> bool {
 }
 
 /// What a process used.
-pub(super) struct Finished {
+pub(super) struct ProcessUsage {
     pub spent: Spent,
     /// Largest resident size \[bytes\].
     pub peak_rss: Option<u64>,
@@ -65,7 +65,7 @@ pub(super) fn run(
     threads: usize,
     out: &Path,
     stop: &AtomicBool,
-) -> Result<Finished, String> {
+) -> Result<ProcessUsage, String> {
     let absolute = |path: &Path| {
         std::path::absolute(path)
             .map_or_else(|_| path.display().to_string(), |p| p.display().to_string())
@@ -100,21 +100,21 @@ pub(super) fn run(
     let used = used.map_err(|error| format!("{}: {error}", words[0]))?;
     let wall = clock.elapsed();
     match ended {
-        Ended::TimedOut => {
+        EndCause::TimedOut => {
             return Err(format!(
                 "{} {} s, and ended; more is allowed by `timeout`",
                 ENDLESS[0],
                 executable.timeout.as_secs_f64()
             ));
         }
-        Ended::Flooded => {
+        EndCause::Flooded => {
             let most = bytes(said::MOST);
             return Err(format!(
                 "{} {most} to one output, and was ended",
                 ENDLESS[1]
             ));
         }
-        Ended::Itself => {}
+        EndCause::Itself => {}
     }
     if used.status.code() == Some(SKIP) {
         return Err(SKIPPED.to_owned());
@@ -122,7 +122,7 @@ pub(super) fn run(
     if !used.status.success() && !stop.load(Ordering::Relaxed) {
         return Err(used.status.to_string());
     }
-    Ok(Finished {
+    Ok(ProcessUsage {
         spent: Spent {
             wall,
             cpu: used.rusage.utime + used.rusage.stime,

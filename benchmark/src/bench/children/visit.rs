@@ -11,7 +11,7 @@ use crate::measure::Spent;
 use crate::show::number;
 use proctor_files::json::write;
 use proctor_scene::TimeStep;
-use proctor_verification::guest::{Compared, Guest, Snapshot};
+use proctor_verification::guest::{ComparedField, Guest, Snapshot};
 use serde_json::Value;
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
@@ -36,14 +36,14 @@ fn tractions(guest: &Guest) -> String {
 }
 
 /// The scene of a problem as executables get it.
-pub(crate) struct Handed {
+pub(crate) struct GuestScene {
     scene: Value,
     files: Vec<(String, String)>,
     /// The constant step \[s\].
     step: f64,
 }
 
-impl Handed {
+impl GuestScene {
     /// Of a problem.
     ///
     /// # Errors
@@ -197,8 +197,8 @@ impl Handed {
         let starts = starts.map(|(x, u)| std::array::from_fn(|axis| x[axis] - u[axis]));
         let starts = starts.collect();
         let (values, time) = match guest.compared {
-            Compared::Displacement => (u, time),
-            Compared::Velocity => {
+            ComparedField::Displacement => (u, time),
+            ComparedField::Velocity => {
                 let known = frame.vectors("Velocity").zip(calibration.velocity_ahead);
                 let (v, ahead) = known.ok_or("no point data `Velocity` of 3 components")?;
                 (v, time + ahead * self.step)

@@ -13,7 +13,7 @@ const GRACE: Duration = Duration::from_secs(5);
 
 /// Why a process came to its end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Ended {
+pub(super) enum EndCause {
     /// By itself, or by an interrupt.
     Itself,
     /// Its time was over.
@@ -42,7 +42,7 @@ pub(super) fn until_done<T>(
     floods: impl Fn() -> bool + Send,
     stop: &AtomicBool,
     wait: impl FnOnce() -> T,
-) -> (T, Ended) {
+) -> (T, EndCause) {
     let (done, told) = channel::<()>();
     thread::scope(|scope| {
         let watch = scope.spawn(move || {
@@ -52,15 +52,15 @@ pub(super) fn until_done<T>(
                 let left = timeout.saturating_sub(begun.elapsed());
                 match told.recv_timeout(left.min(LOOK)) {
                     Err(RecvTimeoutError::Timeout) => {}
-                    Ok(()) | Err(RecvTimeoutError::Disconnected) => return Ended::Itself,
+                    Ok(()) | Err(RecvTimeoutError::Disconnected) => return EndCause::Itself,
                 }
                 if begun.elapsed() >= timeout {
                     end(id, Force::Kill);
-                    return Ended::TimedOut;
+                    return EndCause::TimedOut;
                 }
                 if floods() {
                     end(id, Force::Kill);
-                    return Ended::Flooded;
+                    return EndCause::Flooded;
                 }
                 if stop.load(Ordering::Relaxed) {
                     match asked {
@@ -70,7 +70,7 @@ pub(super) fn until_done<T>(
                         }
                         Some(when) if when.elapsed() >= GRACE => {
                             end(id, Force::Kill);
-                            return Ended::Itself;
+                            return EndCause::Itself;
                         }
                         Some(_) => {}
                     }
@@ -80,7 +80,7 @@ pub(super) fn until_done<T>(
         let result = wait();
         drop(done);
         // A thread that does nothing but look at clocks does not panic.
-        (result, watch.join().unwrap_or(Ended::Itself))
+        (result, watch.join().unwrap_or(EndCause::Itself))
     })
 }
 

@@ -2,7 +2,7 @@
 
 use super::raw::{OneOrMany, RawConfig};
 use super::scene::{Method, SceneChoice};
-use super::{Asked, Config, manual};
+use super::{CommandLineChoices, Config, manual};
 use crate::bench::scenes;
 use proctor_files::json::{listed, nearest, words_of};
 use proctor_kernel::memory::{Memory, words};
@@ -46,7 +46,7 @@ impl<'a> Check<'a> {
     }
 
     /// The whole configuration; to be used only if there is no problem.
-    pub(super) fn config(&mut self, raw: &RawConfig, asked: &Asked) -> Config {
+    pub(super) fn config(&mut self, raw: &RawConfig, asked: &CommandLineChoices) -> Config {
         let global = raw.global.as_ref();
         let parameters = raw.parameters.as_ref();
         let quick = usize::from(asked.quick);

@@ -27,7 +27,7 @@ pub const FILE: &str = "benchmark-configuration.json";
 
 /// What the command line asks for; it overrides the file.
 #[derive(Clone, Debug, Default)]
-pub struct Asked {
+pub struct CommandLineChoices {
     /// Numbers of threads; empty: as the file says.
     pub threads: Vec<usize>,
     /// Repetitions.
@@ -118,7 +118,7 @@ impl Config {
     ///
     /// # Errors
     /// All problems of the file at once; see [`Config::from_json`].
-    pub fn read(path: &Path, asked: &Asked) -> Result<Self, SceneError> {
+    pub fn read(path: &Path, asked: &CommandLineChoices) -> Result<Self, SceneError> {
         let name = path.display().to_string();
         match proctor_files::reading::read_to_string(path) {
             Ok(text) => {
@@ -148,7 +148,7 @@ impl Config {
         text: &str,
         source_name: &str,
         folder: &Path,
-        asked: &Asked,
+        asked: &CommandLineChoices,
     ) -> Result<Self, SceneError> {
         let raw: raw::RawConfig = parse(text, source_name)?;
         let mut check = Check::new(folder);

@@ -19,7 +19,7 @@ pub(super) struct RawConfig {
     pub interpolation: Option<RawInterpolation>,
     pub update: Option<RawUpdate>,
     pub parameters: Option<RawParameters>,
-    pub executables: Option<Named<RawExecutable>>,
+    pub executables: Option<NamedEntries<RawExecutable>>,
     /// Built-in scenes by name, scene files by path.
     pub scenes: Option<OneOrMany<String>>,
     /// Wanted numbers of particles of built-in scenes.
@@ -76,7 +76,7 @@ pub(super) struct RawInterpolation {
         dead_code,
         reason = "read so that it is known; there is nothing to set"
     )]
-    pub nodal_mass: Option<RawNothing>,
+    pub nodal_mass: Option<RawComment>,
     #[serde(rename = "NodalMomentum_nParticles")]
     pub nodal_momentum: Option<RawNodalMomentum>,
     #[serde(rename = "NodalInternalForce_nParticles")]
@@ -84,7 +84,7 @@ pub(super) struct RawInterpolation {
         dead_code,
         reason = "read so that it is known; there is nothing to set"
     )]
-    pub nodal_internal_force: Option<RawNothing>,
+    pub nodal_internal_force: Option<RawComment>,
     #[serde(rename = "NodalExternalForce_nParticles")]
     pub nodal_external_force: Option<RawNodalExternalForce>,
     #[serde(rename = "ParticleStrainIncrement_nParticles")]
@@ -104,7 +104,7 @@ pub(super) struct RawUpdate {
         dead_code,
         reason = "read so that it is known; there is nothing to set"
     )]
-    pub contribution_nodes: Option<RawNothing>,
+    pub contribution_nodes: Option<RawComment>,
     #[serde(rename = "UpdatePerformance_ParticleDensity_nParticles")]
     pub density: Option<RawDensity>,
     #[serde(rename = "ParticleStress_nParticles")]
@@ -114,7 +114,7 @@ pub(super) struct RawUpdate {
 /// A test without parameters; a comment may stand there.
 #[derive(Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields, expecting = "an object without parameters")]
-pub(super) struct RawNothing {
+pub(super) struct RawComment {
     #[expect(dead_code, reason = "words for people")]
     pub comment: Option<String>,
 }
@@ -322,12 +322,12 @@ impl<'de> Deserialize<'de> for RawExecutable {
 
 /// Named entries in the order of the file.
 #[derive(Debug)]
-pub(super) struct Named<T>(pub Vec<(String, T)>);
+pub(super) struct NamedEntries<T>(pub Vec<(String, T)>);
 
 struct NamedVisitor<T>(PhantomData<T>);
 
 impl<'de, T: Deserialize<'de>> Visitor<'de> for NamedVisitor<T> {
-    type Value = Named<T>;
+    type Value = NamedEntries<T>;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("an object of named executables")
@@ -341,11 +341,11 @@ impl<'de, T: Deserialize<'de>> Visitor<'de> for NamedVisitor<T> {
             }
             entries.push((name, map.next_value()?));
         }
-        Ok(Named(entries))
+        Ok(NamedEntries(entries))
     }
 }
 
-impl<'de, T: Deserialize<'de>> Deserialize<'de> for Named<T> {
+impl<'de, T: Deserialize<'de>> Deserialize<'de> for NamedEntries<T> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         deserializer.deserialize_map(NamedVisitor(PhantomData))
     }

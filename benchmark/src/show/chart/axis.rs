@@ -47,7 +47,7 @@ pub struct Tick {
 
 /// An axis with its range.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Ranged {
+pub struct AxisRange {
     scale: Scale,
     /// How values are written.
     pub format: Format,
@@ -66,7 +66,7 @@ const MARGIN: f64 = 0.06;
 
 impl Axis {
     /// A range for the values, `from_zero` if zero must be in it. Values that the axis cannot hold do not count.
-    pub fn ranged(&self, values: impl Iterator<Item = f64>, from_zero: bool) -> Ranged {
+    pub fn ranged(&self, values: impl Iterator<Item = f64>, from_zero: bool) -> AxisRange {
         let placed: Vec<f64> = values.filter_map(|v| place(&self.scale, v)).collect();
         let low = placed.iter().copied().fold(f64::INFINITY, f64::min);
         let high = placed.iter().copied().fold(f64::NEG_INFINITY, f64::max);
@@ -83,12 +83,12 @@ impl Axis {
         }
     }
 
-    fn named(&self, names: &[String]) -> Ranged {
+    fn named(&self, names: &[String]) -> AxisRange {
         let ticks = names.iter().enumerate().map(|(i, name)| Tick {
             at: i as f64,
             text: name.clone(),
         });
-        Ranged {
+        AxisRange {
             scale: self.scale.clone(),
             format: self.format,
             low: -0.5,
@@ -100,7 +100,7 @@ impl Axis {
     }
 
     /// `low` and `high` are decimal logarithms.
-    fn logarithmic(&self, low: f64, high: f64) -> Ranged {
+    fn logarithmic(&self, low: f64, high: f64) -> AxisRange {
         // Values close together get a range wide enough for two ticks.
         let least = if high - low < 0.5 { 0.2 } else { 0.08 };
         let pad = (MARGIN * (high - low)).max(least);
@@ -135,7 +135,7 @@ impl Axis {
         } else {
             vec![]
         };
-        Ranged {
+        AxisRange {
             scale: Scale::Log,
             format: self.format,
             low,
@@ -146,7 +146,7 @@ impl Axis {
         }
     }
 
-    fn linear(&self, low: f64, high: f64) -> Ranged {
+    fn linear(&self, low: f64, high: f64) -> AxisRange {
         let span = if high > low {
             high - low
         } else {
@@ -175,7 +175,7 @@ impl Axis {
                 Tick { at, text }
             })
             .collect();
-        Ranged {
+        AxisRange {
             scale: Scale::Linear,
             format: self.format,
             low: first * step,
@@ -247,7 +247,7 @@ fn place(scale: &Scale, value: f64) -> Option<f64> {
     at.is_finite().then_some(at)
 }
 
-impl Ranged {
+impl AxisRange {
     /// Share of the axis, 0 to 1, at which a value lies; `None` where it has no place.
     #[must_use]
     pub fn share(&self, value: f64) -> Option<f64> {

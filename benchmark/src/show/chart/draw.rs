@@ -1,6 +1,6 @@
 //! From a chart to SVG text.
 
-use super::axis::Ranged;
+use super::axis::AxisRange;
 use super::legend::{self, dashes, look_of_point};
 use super::style::{self, FONTS, GRID_LIGHT, INK_LIGHT, PAPER_LIGHT, Shape};
 use super::text::{escaped, lines, width};
@@ -34,8 +34,8 @@ const RADIUS: f64 = 4.6;
 
 /// Where everything stands.
 struct Layout {
-    x: Ranged,
-    y: Ranged,
+    x: AxisRange,
+    y: AxisRange,
     left: f64,
     right: f64,
     top: f64,
@@ -235,7 +235,7 @@ fn grid(out: &mut String, layout: &Layout) {
     label(out, &layout.x.label, middle, "middle", TEXT, "");
 }
 
-fn ticks(axis: &Ranged) -> Vec<f64> {
+fn ticks(axis: &AxisRange) -> Vec<f64> {
     axis.ticks.iter().map(|tick| tick.at).collect()
 }
 

@@ -11,7 +11,7 @@ mod several;
 mod style;
 mod text;
 
-pub use axis::{Axis, Format, Ranged, Scale, Tick};
+pub use axis::{Axis, AxisRange, Format, Scale, Tick};
 pub use several::side_by_side;
 pub use style::{Colour, FONTS, Mark, Stroke};
 

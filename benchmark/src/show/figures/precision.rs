@@ -2,7 +2,7 @@
 
 use super::slopes::slopes;
 use crate::precision::choices::{SCHEMES, TRANSFERS, WEIGHTINGS};
-use crate::precision::{Findings, Line, PeerLine, PeerRun, Studied};
+use crate::precision::{CaseStudy, Findings, Line, PeerLine, PeerRun};
 use crate::show::chart::{
     Axis, Chart, Colour, Entry, Format, Guide, Mark, Point, Scale, Series, Strength, Stroke,
 };
@@ -22,7 +22,7 @@ const TRANSFER_STROKES: [Stroke; 4] = [
 /// open marks above the plot, the front of the best runs as a broad band. Lines that have a run on the front or reach
 /// a level of error at the least cost stand out.
 #[must_use]
-pub fn error_against_time(studied: &Studied, measure: usize) -> Chart {
+pub fn error_against_time(studied: &CaseStudy, measure: usize) -> Chart {
     let findings = Findings::new(studied, measure);
     let word = studied.study.measures()[measure].word;
     let stands_out = |line: &Line| {
@@ -108,7 +108,7 @@ pub fn error_against_time(studied: &Studied, measure: usize) -> Chart {
 }
 
 /// What the time is, of methods and of other solvers.
-fn time_words(studied: &Studied, measure: usize) -> String {
+fn time_words(studied: &CaseStudy, measure: usize) -> String {
     let words = studied.seconds_words();
     if studied.peers.is_empty() || measure > 0 {
         words.to_owned()
@@ -163,7 +163,7 @@ fn look(method: Method) -> (Colour, Mark, Stroke) {
 }
 
 /// A run as a point; `None` if it was not run.
-fn point(studied: &Studied, measure: usize, i: usize) -> Option<Point> {
+fn point(studied: &CaseStudy, measure: usize, i: usize) -> Option<Point> {
     let (choice, run) = (&studied.plan.choices[i], studied.runs.get(i)?);
     let settings = &choice.settings;
     let time = studied.seconds(i)?;
@@ -226,7 +226,7 @@ fn order_guides(series: &[Series], axes: usize) -> Vec<Guide> {
 }
 
 /// Entries for what occurs: colours, marks, strokes, dots, open marks, the front.
-fn legend(studied: &Studied, measure: usize, series: &[Series]) -> Vec<Entry> {
+fn legend(studied: &CaseStudy, measure: usize, series: &[Series]) -> Vec<Entry> {
     let lines = &studied.plan.lines;
     let any = |test: &dyn Fn(Method) -> bool| lines.iter().any(|line| test(line.method));
     let mut entries = vec![];

@@ -4,7 +4,7 @@ use super::super::chart::{
     Axis, Chart, Colour, Entry, Format, Guide, Mark, Point, Scale, Series, Strength, Stroke,
 };
 use super::super::number;
-use crate::refine::judge::{Judged, Refined};
+use crate::refine::judge::{QuantityBar, SceneBars};
 use crate::refine::work::Runs;
 
 /// Colours of values with a claimed bar and without one.
@@ -46,7 +46,7 @@ fn entry(label: &str, series: &Series) -> Entry {
 
 /// Values of a quantity over the power of the cell size with which they settle: a straight line is asymptotic.
 #[must_use]
-pub fn settling(refined: &Refined, judged: &Judged, runs: &Runs) -> Chart {
+pub fn settling(refined: &SceneBars, judged: &QuantityBar, runs: &Runs) -> Chart {
     let name = &judged.quantity.name;
     let unit = judged.quantity.unit();
     let order = judged.estimate.order.filter(|order| *order >= 0.5);
@@ -152,7 +152,7 @@ fn power(order: f64) -> String {
 
 /// The history of a quantity on all meshes: the finest with the band of its bars.
 #[must_use]
-pub fn history(refined: &Refined, judged: &Judged, runs: &Runs) -> Option<Chart> {
+pub fn history(refined: &SceneBars, judged: &QuantityBar, runs: &Runs) -> Option<Chart> {
     let column = &judged.quantity.column;
     let unit = crate::refine::quantity::unit(column);
     let times = &refined.times;

@@ -2,7 +2,7 @@
 
 use super::view::Projection;
 use super::{MeshLines, ParticlePicture, palette};
-use crate::show::chart::{Axis, Format, Ranged, Scale, Tick};
+use crate::show::chart::{Axis, AxisRange, Format, Scale, Tick};
 use crate::show::drawing::{Anchor, GRID, INK, Item, Rgb, TextSize, width};
 
 /// Largest width and height of the plot in pixels.
@@ -39,8 +39,8 @@ pub(super) struct Room {
     origin: [f64; 2],
     span: [f64; 2],
     /// The axes of a plane.
-    axes: Option<[Ranged; 2]>,
-    bar: Ranged,
+    axes: Option<[AxisRange; 2]>,
+    bar: AxisRange,
 }
 
 impl Room {
@@ -52,9 +52,9 @@ impl Room {
                 .into_iter()
                 .enumerate()
                 .map(|(i, label)| axis(label).ranged([low[i], high[i]].into_iter(), false))
-                .collect::<Vec<Ranged>>()
+                .collect::<Vec<AxisRange>>()
         });
-        let axes = axes.and_then(|axes| <[Ranged; 2]>::try_from(axes).ok());
+        let axes = axes.and_then(|axes| <[AxisRange; 2]>::try_from(axes).ok());
         let (origin, span) = if flat {
             let span = [0, 1].map(|axis| high[axis] - low[axis]);
             let margin = MARGIN * span[0].max(span[1]);
@@ -78,7 +78,7 @@ impl Room {
             .fold(f64::INFINITY, f64::min);
         let plot: [f64; 2] =
             std::array::from_fn(|i| (scale * span[i] + 2.0 * around).max(LEAST[i]).round());
-        let numbers = |ticks: &Ranged| {
+        let numbers = |ticks: &AxisRange| {
             let widths = ticks.ticks.iter().map(|t| width(&t.text, TextSize::Plain));
             widths.fold(0.0, f64::max)
         };
@@ -144,7 +144,7 @@ impl Room {
     }
 
     /// Axes of a plane: a grid, and numbers at its ends.
-    fn plane(&self, [x, y]: &[Ranged; 2], behind: &mut Vec<Item>, before: &mut Vec<Item>) {
+    fn plane(&self, [x, y]: &[AxisRange; 2], behind: &mut Vec<Item>, before: &mut Vec<Item>) {
         let [left, upper, wide, height] = self.plot;
         let (right, bottom) = (left + wide, upper + height);
         let inside = |tick: &&Tick, axis: usize| {

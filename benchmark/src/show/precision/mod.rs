@@ -6,7 +6,7 @@ use super::{Table, grouped, number, paragraph, seconds};
 use crate::precision::cost::Cost;
 use crate::precision::findings::{LEVELS, LineFindings};
 use crate::precision::peers::stays;
-use crate::precision::{Findings, Peer, PeerLine, Studied};
+use crate::precision::{CaseStudy, Findings, Peer, PeerLine};
 use std::io::{self, Write};
 
 /// Lines of the table unless all are asked for.
@@ -18,7 +18,7 @@ const NAMES: [&str; 2] = ["1 %", "0.1 %"];
 ///
 /// # Errors
 /// If `out` cannot be written.
-pub fn study(studied: &Studied, all: bool, out: &mut dyn Write) -> io::Result<()> {
+pub fn study(studied: &CaseStudy, all: bool, out: &mut dyn Write) -> io::Result<()> {
     writeln!(
         out,
         "{}: {}",
@@ -73,7 +73,7 @@ pub struct Summary {
 
 /// The summary of a study for one of its errors, with `all` lines or the best and the default.
 #[must_use]
-pub fn summary(studied: &Studied, measure: usize, all: bool) -> Summary {
+pub fn summary(studied: &CaseStudy, measure: usize, all: bool) -> Summary {
     let findings = Findings::new(studied, measure);
     let ranked = findings.ranked();
     let shown = if all { ranked.len() } else { SHOWN };
@@ -88,7 +88,7 @@ pub fn summary(studied: &Studied, measure: usize, all: bool) -> Summary {
 }
 
 fn table(
-    studied: &Studied,
+    studied: &CaseStudy,
     measure: usize,
     findings: &Findings,
     ranked: &[&LineFindings],
@@ -218,7 +218,7 @@ fn best(findings: &Findings, level: usize, name: &str) -> String {
 }
 
 /// What there is to say of other solvers: what their lines mean, which of their runs failed, or why there are none.
-fn peers(studied: &Studied, out: &mut dyn Write) -> io::Result<()> {
+fn peers(studied: &CaseStudy, out: &mut dyn Write) -> io::Result<()> {
     if let Some(reason) = &studied.no_peers {
         return writeln!(out, "\n  not for other solvers: {reason}");
     }
@@ -245,7 +245,7 @@ fn peers(studied: &Studied, out: &mut dyn Write) -> io::Result<()> {
 }
 
 /// Every reason for failure once, with how many runs it ended and the first of them.
-fn failures(studied: &Studied, out: &mut dyn Write) -> io::Result<()> {
+fn failures(studied: &CaseStudy, out: &mut dyn Write) -> io::Result<()> {
     let failed: Vec<(String, String)> = studied
         .plan
         .choices

@@ -90,7 +90,7 @@ impl Before {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::judge::change::Moved;
+    use crate::judge::change::Direction;
 
     fn kept() -> Record {
         Record::parse(Path::new("kept"), KEPT.as_bytes()).expect("the kept record")
@@ -132,7 +132,7 @@ mod tests {
             .flat_map(|finding| &finding.changes);
         assert_eq!(
             changes
-                .filter(|change| change.moved == Moved::Worse)
+                .filter(|change| change.moved == Direction::Worse)
                 .count(),
             1
         );

@@ -4,7 +4,7 @@ use super::{Refine, on_meshes, stages_on_meshes};
 use crate::exit::{Failure, Outcome};
 use crate::interrupt::Interrupt;
 use crate::record::{BY_SCENE, Record};
-use crate::refine::judge::Refined;
+use crate::refine::judge::SceneBars;
 use crate::refine::methods::{self, MethodRun};
 use crate::refine::work::Work;
 use crate::say::say;
@@ -90,7 +90,7 @@ impl Refine {
                 .run(&interrupt)
                 .map_err(|error| Failure::BadInput(places.of_setup(&error)))?;
             let refined =
-                Refined::new(&name, &runs.meshes, &runs.moved, &self.quantity, self.until);
+                SceneBars::new(&name, &runs.meshes, &runs.moved, &self.quantity, self.until);
             let threads = options.threads.unwrap_or(BY_SCENE);
             match &refined {
                 Ok(refined) => record.push_refined(refined, &runs, threads),

@@ -16,7 +16,7 @@ use std::sync::mpsc;
 use std::thread;
 
 /// The choices of the user.
-pub struct Generated<'a> {
+pub struct GeneratedChoices<'a> {
     /// Number of scenes.
     pub count: u64,
     /// Seed of all of them.
@@ -42,7 +42,7 @@ struct Tally {
     worst: Option<(f64, String, f64, f64, u64)>,
 }
 
-impl Generated<'_> {
+impl GeneratedChoices<'_> {
     /// Runs them.
     ///
     /// # Errors

@@ -45,7 +45,7 @@ pub struct Mill<'a> {
 }
 
 /// A problem that was judged, or the reasons for which all draws of its number were refused.
-type Answered = (u64, Result<Answer, Vec<String>>);
+type ProblemAnswer = (u64, Result<Answer, Vec<String>>);
 
 impl Mill<'_> {
     /// Runs them.
@@ -129,11 +129,11 @@ impl Mill<'_> {
     }
 
     /// Answers of all numbers, as they come.
-    fn answers(&self, interrupt: &Interrupt) -> Vec<Answered> {
+    fn answers(&self, interrupt: &Interrupt) -> Vec<ProblemAnswer> {
         let mut progress = Progress::new("manufactured problems");
         let threads = self.threads.unwrap_or_else(processors);
         let next = AtomicU64::new(0);
-        let (sender, receiver) = mpsc::channel::<Answered>();
+        let (sender, receiver) = mpsc::channel::<ProblemAnswer>();
         let mut all = vec![];
         thread::scope(|scope| {
             for _ in 0..threads {

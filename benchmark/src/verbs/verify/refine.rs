@@ -3,7 +3,7 @@
 use crate::exit::{Failure, Outcome};
 use crate::interrupt::Interrupt;
 use crate::record::Record;
-use crate::refine::judge::Refined;
+use crate::refine::judge::SceneBars;
 use crate::refine::kept::SCENES;
 use crate::refine::ladders;
 use crate::show::paint::{Mark, Paint};
@@ -100,7 +100,7 @@ pub fn run(
 }
 
 /// The orders of the energies of a scene, and until when they settle where they do not to the end.
-fn orders(refined: &Refined) -> String {
+fn orders(refined: &SceneBars) -> String {
     let orders = refined.gates.map(|gate| gate.order.unwrap_or(f64::NAN));
     let until = refined
         .until()

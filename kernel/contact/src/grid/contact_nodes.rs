@@ -4,7 +4,7 @@ mod contact_result;
 mod gaps;
 
 use super::faces::SlabFields;
-pub(crate) use contact_result::{ContactResult, DEEP, NodeTunnelling, Overlapped};
+pub(crate) use contact_result::{ContactResult, DEEP, NodeTunnelling, Overlap};
 use contact_result::{taken, touched};
 use proctor_kernel::model::Vector;
 use proctor_kernel::simulation::Owner;

@@ -13,7 +13,7 @@ use crate::kinds::{ContactType, InteractionResult};
 use crate::pairs::overlap::overlap;
 use crate::pairs::{Pair, Tunnelling, broad};
 use crate::values::{Contact, ContactValues, PairValues};
-use contact_nodes::{ContactNodes, ContactResult, DEEP, NodeLists, NodeTunnelling, Overlapped};
+use contact_nodes::{ContactNodes, ContactResult, DEEP, NodeLists, NodeTunnelling, Overlap};
 use faces::Faces;
 use proctor_geometry::memory::Memory;
 use proctor_kernel::model::{CycleSettings, StressScheme, Vector};
@@ -133,7 +133,7 @@ impl GridContact {
                 .map(|k| shape.cell[k])
                 .fold(f64::INFINITY, f64::min);
         for (index, pair) in self.shared.pairs.iter().enumerate() {
-            let mut deepest: Option<Overlapped> = None;
+            let mut deepest: Option<Overlap> = None;
             let of_slabs = self
                 .met
                 .iter()

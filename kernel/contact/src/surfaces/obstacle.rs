@@ -27,7 +27,7 @@ pub(super) enum RigidObstacle {
     /// A surface of the scene. It pushes all bodies.
     Surface(SurfaceObstacle),
     /// A driven body.
-    Driven(Box<Driven>),
+    Driven(Box<DrivenObstacle>),
 }
 
 /// A surface of the scene that pushes all bodies.
@@ -69,7 +69,7 @@ impl SurfaceObstacle {
 
 /// A driven body that pushes a partner of contact.
 #[derive(Clone, Debug)]
-pub(super) struct Driven {
+pub(super) struct DrivenObstacle {
     /// Place of the body in the scene.
     pub(super) body: usize,
     /// That of its partner.
@@ -106,7 +106,7 @@ pub(super) fn all(
         let has_distance = given.distance.is_some_and(|lambda| lambda > 0.0);
         let own = &bodies[body].particle_half_length;
         let half = std::array::from_fn(|axis| (pair.distance[axis] - own[axis]).max(0.0));
-        RigidObstacle::Driven(Box::new(Driven {
+        RigidObstacle::Driven(Box::new(DrivenObstacle {
             body,
             partner,
             shape: bodies[body].shape.relative_to(origin),
@@ -118,7 +118,7 @@ pub(super) fn all(
     surfaces.chain(driven).collect()
 }
 
-impl Driven {
+impl DrivenObstacle {
     /// Notes where the body is at the start.
     pub(super) fn note_start(&mut self, view: &StepView<'_>) {
         let set = &view.particles[self.body];

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::fmt;
 
-use proctor_laws::{ALL, Accepted, Choice, Constant, ConstantDefault, Curve, LawType, Rows};
+use proctor_laws::{ALL, Choice, Constant, ConstantDefault, ConstantRange, Curve, LawType, Rows};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 use serde::de::{Deserializer, Error, MapAccess, Visitor};
@@ -344,17 +344,17 @@ fn of_constant(constant: &Constant) -> Value {
         ConstantDefault::As(key) => property["x-default"] = format!("`{key}`").into(),
     }
     match constant.accepted {
-        Accepted::Positive => property["exclusiveMinimum"] = 0.into(),
-        Accepted::NotNegative => property["minimum"] = 0.into(),
-        Accepted::Between(low, high) => {
+        ConstantRange::Positive => property["exclusiveMinimum"] = 0.into(),
+        ConstantRange::NotNegative => property["minimum"] = 0.into(),
+        ConstantRange::Between(low, high) => {
             property["exclusiveMinimum"] = low.into();
             property["exclusiveMaximum"] = high.into();
         }
-        Accepted::From(low, high) => {
+        ConstantRange::From(low, high) => {
             property["minimum"] = low.into();
             property["exclusiveMaximum"] = high.into();
         }
-        Accepted::Finite => {}
+        ConstantRange::Finite => {}
     }
     needs(&mut property, |law| {
         law.constants.iter().any(|own| own.key == constant.key)
@@ -445,11 +445,11 @@ fn needs(property: &mut Value, has: impl Fn(&LawType) -> bool) {
 /// A value that a soft solid may have.
 fn example(constant: &Constant) -> f64 {
     match constant.accepted {
-        Accepted::Positive | Accepted::NotNegative if constant.unit == "Pa" => 1e6,
-        Accepted::Positive => 1.0,
-        Accepted::NotNegative | Accepted::Finite => 0.0,
-        Accepted::From(..) => 30.0,
-        accepted @ Accepted::Between(..) if accepted.holds(0.3) => 0.3,
-        Accepted::Between(low, high) => 0.5 * (low + high),
+        ConstantRange::Positive | ConstantRange::NotNegative if constant.unit == "Pa" => 1e6,
+        ConstantRange::Positive => 1.0,
+        ConstantRange::NotNegative | ConstantRange::Finite => 0.0,
+        ConstantRange::From(..) => 30.0,
+        accepted @ ConstantRange::Between(..) if accepted.holds(0.3) => 0.3,
+        ConstantRange::Between(low, high) => 0.5 * (low + high),
     }
 }

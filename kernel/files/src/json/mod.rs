@@ -45,7 +45,7 @@ pub use self::parse::parse;
 pub use self::source::{SceneSource, SourceMap, unreadable};
 pub use self::stages::Stage;
 pub use self::words::{listed, nearest, words_of};
-pub use self::write::{NotWritten, SceneWriter, write};
+pub use self::write::{Omission, SceneWriter, write};
 
 /// Reads a scene from a JSON file; files that it names are looked for in its folder.
 ///

@@ -3,16 +3,16 @@
 use serde_json::{Value, json};
 
 use super::words::{DETECTIONS, ENFORCEMENTS, FOLLOWS};
-use super::write::{NotWritten, SceneWriter, refuse, word, write};
+use super::write::{Omission, SceneWriter, refuse, word, write};
 use proctor_contact::geometry::mortar::boundary::{BoundarySide, Chain};
 use proctor_scene::{BodyBoundary, Mortar, MortarContact, RigidLine, Scene, Vertices};
 
 /// The scene as a scene file of this program has it: as [`fn@write`], and rigid lines, boundaries and mortar contact in the plane.
 ///
 /// # Errors
-/// [`NotWritten`]: as [`fn@write`] but for these; rigid surfaces of mortar contact, boundaries of triangles or of several
+/// [`Omission`]: as [`fn@write`] but for these; rigid surfaces of mortar contact, boundaries of triangles or of several
 /// polylines, and lines that move.
-pub fn write_own(scene: &Scene) -> Result<SceneWriter, NotWritten> {
+pub fn write_own(scene: &Scene) -> Result<SceneWriter, Omission> {
     let mut plain = scene.clone();
     let mortar = std::mem::take(&mut plain.mortar);
     let mut written = write(&plain)?;
@@ -37,7 +37,7 @@ pub fn write_own(scene: &Scene) -> Result<SceneWriter, NotWritten> {
 }
 
 /// Adds the boundaries to their bodies.
-fn boundaries(scene: &Scene, mortar: &Mortar, keys: &mut Value) -> Result<(), NotWritten> {
+fn boundaries(scene: &Scene, mortar: &Mortar, keys: &mut Value) -> Result<(), Omission> {
     for (index, body) in scene.bodies.iter().enumerate() {
         let own = mortar.boundaries.iter().find(|b| b.body == body.id);
         if let Some(BodyBoundary {
@@ -60,17 +60,17 @@ fn boundaries(scene: &Scene, mortar: &Mortar, keys: &mut Value) -> Result<(), No
     Ok(())
 }
 
-fn line(line: &RigidLine) -> Result<Value, NotWritten> {
+fn line(line: &RigidLine) -> Result<Value, Omission> {
     refuse(line.motion.is_some(), "the motion of a rigid line")?;
     let one = one(&line.chains, "a rigid line")?;
     Ok(json!({ "id": line.id, "points": points(one), "closed": one.side != BoundarySide::Open }))
 }
 
 /// The one polyline of something.
-fn one<'a>(chains: &'a [Chain], of: &str) -> Result<&'a Chain, NotWritten> {
+fn one<'a>(chains: &'a [Chain], of: &str) -> Result<&'a Chain, Omission> {
     match chains {
         [one] if one.side != BoundarySide::Hole => Ok(one),
-        _ => Err(NotWritten {
+        _ => Err(Omission {
             what: format!("{of} of several polylines"),
         }),
     }

@@ -11,7 +11,7 @@ use serde::de::{Deserializer, Error, SeqAccess, Visitor};
 use super::build::Build;
 use super::keys::RawBody;
 use crate::terrain;
-use proctor_kernel::enclosed::Enclosed;
+use proctor_kernel::enclosed::EnclosedRegion;
 use proctor_kernel::number::Number;
 use proctor_kernel::sheet::{PlanRange, Sheet, SheetFault};
 use proctor_kernel::stratum::Stratum;
@@ -274,7 +274,7 @@ impl Build<'_> {
             return None;
         }
         let (corners, triangles) = (surface.vertices(), surface.triangles());
-        let body = Enclosed::new(corners.to_vec(), triangles.to_vec());
+        let body = EnclosedRegion::new(corners.to_vec(), triangles.to_vec());
         Some(Shape::Enclosed(Arc::new(body)))
     }
 

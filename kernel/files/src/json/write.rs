@@ -29,18 +29,18 @@ pub struct SceneWriter {
 
 /// What of a scene is not written.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct NotWritten {
+pub struct Omission {
     /// What it is.
     pub what: String,
 }
 
-impl fmt::Display for NotWritten {
+impl fmt::Display for Omission {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} cannot be written into a scene file", self.what)
     }
 }
 
-impl std::error::Error for NotWritten {}
+impl std::error::Error for Omission {}
 
 /// Name of the file of a base motion.
 const RECORD: &str = "base.csv";
@@ -48,9 +48,9 @@ const RECORD: &str = "base.csv";
 /// The scene as a scene file has it.
 ///
 /// # Errors
-/// [`NotWritten`]: surfaces, mortar contact, shapes other than cuboids, laws and transfers that no word stands for,
+/// [`Omission`]: surfaces, mortar contact, shapes other than cuboids, laws and transfers that no word stands for,
 /// probes.
-pub fn write(scene: &Scene) -> Result<SceneWriter, NotWritten> {
+pub fn write(scene: &Scene) -> Result<SceneWriter, Omission> {
     refuse(!scene.surfaces.is_empty(), "a rigid surface")?;
     let mortar = &scene.mortar;
     refuse(
@@ -160,9 +160,9 @@ pub fn write(scene: &Scene) -> Result<SceneWriter, NotWritten> {
     Ok(SceneWriter { scene: keys, files })
 }
 
-pub(super) fn refuse(is: bool, what: &str) -> Result<(), NotWritten> {
+pub(super) fn refuse(is: bool, what: &str) -> Result<(), Omission> {
     if is {
-        return Err(NotWritten {
+        return Err(Omission {
             what: what.to_owned(),
         });
     }
@@ -207,7 +207,7 @@ fn contacts(scene: &Scene) -> Vec<Value> {
 }
 
 /// Weighting function, transfer and time step.
-fn method(scene: &Scene, keys: &mut Value) -> Result<(), NotWritten> {
+fn method(scene: &Scene, keys: &mut Value) -> Result<(), Omission> {
     let kind = scene.weighting.kind();
     keys["shape_function"] = kind.word.into();
     if let Some(update) = kind.update {
@@ -237,12 +237,12 @@ fn method(scene: &Scene, keys: &mut Value) -> Result<(), NotWritten> {
 /// Each entry of a list, or the first that cannot be written.
 fn list<T>(
     entries: &[T],
-    write: impl Fn(&T) -> Result<Value, NotWritten>,
-) -> Result<Vec<Value>, NotWritten> {
+    write: impl Fn(&T) -> Result<Value, Omission>,
+) -> Result<Vec<Value>, Omission> {
     entries.iter().map(write).collect()
 }
 
-fn materials(scene: &Scene) -> Result<Vec<Value>, NotWritten> {
+fn materials(scene: &Scene) -> Result<Vec<Value>, Omission> {
     list(&scene.materials, |material| {
         let mut keys = law(&material.law)?;
         keys["id"] = material.id.into();
@@ -277,9 +277,9 @@ impl Writer {
         keys
     }
 
-    fn body(&self, scene: &Scene, body: &Body) -> Result<Value, NotWritten> {
+    fn body(&self, scene: &Scene, body: &Body) -> Result<Value, Omission> {
         let Shape::Cuboid { p1, p2 } = &body.shape else {
-            return Err(NotWritten {
+            return Err(Omission {
                 what: format!("the shape of body {}", body.id),
             });
         };
@@ -350,7 +350,7 @@ impl Writer {
 }
 
 /// The keys of a law that a scene file names.
-fn law(law: &AnyLaw) -> Result<Value, NotWritten> {
+fn law(law: &AnyLaw) -> Result<Value, Omission> {
     let values: Vec<f64> = law
         .constants()
         .into_iter()
@@ -365,7 +365,7 @@ fn law(law: &AnyLaw) -> Result<Value, NotWritten> {
         Some((kind, choices_of(kind).into_iter().find(of_kind)?))
     });
     let Some((kind, words)) = found else {
-        return Err(NotWritten {
+        return Err(Omission {
             what: format!("the law {law:?}"),
         });
     };

@@ -6,7 +6,7 @@ use proctor_kernel::particles::ParticleSet;
 use proctor_kernel::stage::g2p::ParticleMaxima;
 use proctor_scene::simulation::{
     AbsorbingNode, Clock, EnergyLedger, Event, EventKind, Extremes, Groups, Invariant,
-    InvariantMonitor, ParticleAt, RestoreError, Saved, Simulation, State, Violation,
+    InvariantMonitor, ParticleAt, RestoreError, SavedState, Simulation, State, Violation,
 };
 use proctor_scene::{Results, Scene, StateFile};
 use std::path::PathBuf;
@@ -166,7 +166,7 @@ fn numbers(state: &State) -> [f64; 18] {
 }
 
 /// The state in a checkpoint; `like` is one of the same scene.
-fn read(checkpoint: &Checkpoint, like: Saved) -> Result<Saved, CheckpointError> {
+fn read(checkpoint: &Checkpoint, like: SavedState) -> Result<SavedState, CheckpointError> {
     let counters = checkpoint.array::<u64>("counters", 4)?;
     let numbers = checkpoint.array::<f64>("numbers", 18)?;
     let mut state = State {
@@ -245,7 +245,7 @@ fn read(checkpoint: &Checkpoint, like: Saved) -> Result<Saved, CheckpointError> 
             values.extend_from_slice(found);
         }
     }
-    Ok(Saved {
+    Ok(SavedState {
         state,
         interactions,
     })

@@ -3,7 +3,7 @@
 use super::FilledBody;
 use super::error::FillError;
 use super::lattice::Lattice;
-use crate::enclosed::Enclosed;
+use crate::enclosed::EnclosedRegion;
 use crate::shape::Vector;
 use crate::sheet::PlanPoint;
 use crate::stratum::Stratum;
@@ -52,7 +52,7 @@ pub(super) fn fill_stratum(
 /// As [`super::fill`].
 pub(super) fn fill_enclosed(
     lattice: &Lattice,
-    body: &Enclosed,
+    body: &EnclosedRegion,
     origin: &Vector,
 ) -> Result<FilledBody, FillError> {
     let body = body.relative_to(origin);

@@ -7,15 +7,15 @@ pub use softening::{Residual, Softening};
 
 use super::gap::{GAP, TensionApex};
 use super::plastic::{
-    ALGORITHMIC, RELAXATION, ReturnedStress, STRAIN, VOLUME_STRAIN, WORK, Yielding,
+    ALGORITHMIC, RELAXATION, ReturnedStress, STRAIN, VOLUME_STRAIN, WORK, YieldSurface,
 };
 use super::principal::spectrum;
 use super::strength::{self, COHESION, DILATION, FRICTION, TENSILE};
 use super::tensor::components;
 use super::tensor::{deviator, second_invariant};
 use super::{
-    Accepted, Band, Choice, Constant, ConstantDefault, InvalidConstant, LinearElastic, Readable,
-    band,
+    Band, Choice, Constant, ConstantDefault, ConstantRange, InvalidConstant, LinearElastic,
+    Readable, band,
 };
 use crate::functions;
 use proctor_kernel::lanes::Lanes;
@@ -210,7 +210,7 @@ fn between<L: Lanes>(peak: f64, residual: Option<f64>, left: L) -> L {
 
 crate::yielding_law!(MohrCoulomb);
 
-impl Yielding for MohrCoulomb {
+impl YieldSurface for MohrCoulomb {
     const CONSTANTS: &'static [Constant] = &[
         super::YOUNG,
         super::POISSON,
@@ -222,7 +222,7 @@ impl Yielding for MohrCoulomb {
             key: "dilation.until",
             meaning: "Plastic volume strain at which dilation ends; 0 for no end",
             unit: "",
-            accepted: Accepted::NotNegative,
+            accepted: ConstantRange::NotNegative,
             given: ConstantDefault::Or(0.0),
         },
         RELAXATION,

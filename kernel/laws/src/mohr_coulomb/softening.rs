@@ -1,7 +1,7 @@
 //! Strength that falls with plastic strain, and how scene files say it.
 
 use crate::functions;
-use crate::{Accepted, Choice, Constant, ConstantDefault, InvalidConstant};
+use crate::{Choice, Constant, ConstantDefault, ConstantRange, InvalidConstant};
 use proctor_kernel::lanes::Lanes;
 
 /// How strength falls from its peak to what is left of it.
@@ -98,49 +98,49 @@ pub(super) const CONSTANTS: [Constant; 7] = [
         key: "softening.exponential.eta",
         meaning: "Rate of exponential softening: the share exp(-eta k) of the way is left at a plastic strain k",
         unit: "",
-        accepted: Accepted::NotNegative,
+        accepted: ConstantRange::NotNegative,
         given: ConstantDefault::Or(0.0),
     },
     Constant {
         key: "softening.linear.from",
         meaning: "Plastic strain at which linear softening begins",
         unit: "",
-        accepted: Accepted::NotNegative,
+        accepted: ConstantRange::NotNegative,
         given: ConstantDefault::Or(0.0),
     },
     Constant {
         key: "softening.linear.to",
         meaning: "Plastic strain at which linear softening ends",
         unit: "",
-        accepted: Accepted::NotNegative,
+        accepted: ConstantRange::NotNegative,
         given: ConstantDefault::Or(0.0),
     },
     Constant {
         key: "softening.friction.residual",
         meaning: "Angle of friction that is left",
         unit: "°",
-        accepted: Accepted::From(0.0, 90.0),
+        accepted: ConstantRange::From(0.0, 90.0),
         given: ConstantDefault::As("friction"),
     },
     Constant {
         key: "softening.cohesion.residual",
         meaning: "Cohesion that is left",
         unit: "Pa",
-        accepted: Accepted::NotNegative,
+        accepted: ConstantRange::NotNegative,
         given: ConstantDefault::As("cohesion"),
     },
     Constant {
         key: "softening.dilation.residual",
         meaning: "Angle of dilation that is left",
         unit: "°",
-        accepted: Accepted::Between(-90.0, 90.0),
+        accepted: ConstantRange::Between(-90.0, 90.0),
         given: ConstantDefault::As("dilation"),
     },
     Constant {
         key: "softening.tensile.residual",
         meaning: "Tensile strength that is left",
         unit: "Pa",
-        accepted: Accepted::NotNegative,
+        accepted: ConstantRange::NotNegative,
         given: ConstantDefault::As("tensile"),
     },
 ];

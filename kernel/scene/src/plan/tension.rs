@@ -35,7 +35,7 @@ pub struct ForeseenTension {
 }
 
 /// Tension by one cause.
-struct Pulled {
+struct TensionCause {
     what: &'static str,
     /// Tension over the modulus of confined strain.
     strain: f64,
@@ -102,7 +102,7 @@ pub fn foreseen_tension(scene: &Scene) -> Vec<ForeseenTension> {
         let material = scene.materials.get(body.material)?;
         let speed = material.law.wave_speed(material.density);
         let modulus = material.density * speed * speed;
-        let Pulled { what, strain } = most(scene, body, &Extent::of(&body.shape)?, modulus)?;
+        let TensionCause { what, strain } = most(scene, body, &Extent::of(&body.shape)?, modulus)?;
         Some(ForeseenTension {
             body: index,
             cause: what,
@@ -182,21 +182,21 @@ fn smallest_cell(scene: &Scene) -> f64 {
 }
 
 /// The largest tension that loads, weight and driven bodies give a body.
-fn most(scene: &Scene, body: &Body, extent: &Extent, modulus: f64) -> Option<Pulled> {
-    let loads = Pulled {
+fn most(scene: &Scene, body: &Body, extent: &Extent, modulus: f64) -> Option<TensionCause> {
+    let loads = TensionCause {
         what: "a load that pulls",
         strain: pulled_by_loads(scene, extent) / modulus,
     };
     let [hangs, bends] = pulled_by_weight(scene, body, extent);
-    let hangs = Pulled {
+    let hangs = TensionCause {
         what: "its weight, which hangs from a plane,",
         strain: hangs / modulus,
     };
-    let bends = Pulled {
+    let bends = TensionCause {
         what: "its weight, which bends it,",
         strain: bends / modulus,
     };
-    let driven = Pulled {
+    let driven = TensionCause {
         what: "a driven body that moves away",
         strain: pulled_by_bodies(scene, extent),
     };

@@ -34,6 +34,6 @@ pub use mass_center::MassCenter;
 pub use nodal_force::NodalForce;
 pub use particle_at::ParticleAt;
 pub use spin::Spin;
-pub use state::{EnergyLedger, Groups, RestoreError, Saved, SavedArrays, State};
+pub use state::{EnergyLedger, Groups, RestoreError, SavedArrays, SavedState, State};
 pub(crate) use tension::MOST_UNSEEN;
 pub use tension::Tension;

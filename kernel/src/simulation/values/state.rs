@@ -15,7 +15,7 @@ use crate::particles::ParticleSet;
 use crate::stage::g2p::ParticleMaxima;
 use std::fmt;
 
-/// The state of a simulation after a step, but for the saved arrays of interactions: see [`Saved`].
+/// The state of a simulation after a step, but for the saved arrays of interactions: see [`SavedState`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct State {
     /// Particle sets, one per body, in the order of the scene. The order of particles in a set decides in which order sums
@@ -77,7 +77,7 @@ pub type SavedArrays = Vec<(String, Vec<f64>)>;
 
 /// The whole state of a simulation: see [`Cycle::save`](crate::simulation::Cycle::save).
 #[derive(Clone, Debug, PartialEq)]
-pub struct Saved {
+pub struct SavedState {
     /// The state.
     pub state: State,
     /// Saved arrays of each interaction, in the order in which they act.

@@ -5,8 +5,9 @@ use proctor_kernel::layout::{Layout, Optional, Variable};
 use proctor_kernel::particles::ParticleSet;
 use proctor_laws::tensor::Configuration;
 use proctor_laws::{
-    Block, ConeMatch, DruckerPrager, GAP, Gradients, Hencky, Increment, Law, LinearElastic,
-    MohrCoulomb, NeoHookean, Particle, Residual, Softening, Strained, Stress, Tresca, VonMises,
+    Block, BlockStrain, ConeMatch, DruckerPrager, GAP, Gradients, Hencky, Increment, Law,
+    LinearElastic, MohrCoulomb, NeoHookean, Particle, Residual, Softening, Stress, Tresca,
+    VonMises,
 };
 
 const PARTICLES: usize = 43;
@@ -14,9 +15,9 @@ const DT: f64 = 1.0e-3;
 
 /// Elasticity that counts the steps and adds up the volume strain.
 #[derive(Debug, PartialEq)]
-struct Counting(LinearElastic);
+struct StepCounter(LinearElastic);
 
-impl Law for Counting {
+impl Law for StepCounter {
     const VARIABLES: &'static [Variable] = &[
         Variable {
             initial: 2.0,
@@ -101,8 +102,8 @@ fn particles<M: Law>(axes: usize) -> (ParticleSet, Gradients) {
 
 fn strained<M: Law>(
     axes: usize,
-    run: &dyn Fn(Block<'_, '_>) -> Strained,
-) -> (Vec<Vec<u64>>, Strained) {
+    run: &dyn Fn(Block<'_, '_>) -> BlockStrain,
+) -> (Vec<Vec<u64>>, BlockStrain) {
     let (mut set, gradients) = particles::<M>(axes);
     let layout = set.layout;
     let found = {
@@ -146,7 +147,7 @@ fn blocks_have_the_same_bits_for_all_lanes() {
     check(&LinearElastic::new(1.0e3, 0.3));
     check(&NeoHookean::new(1.0e3, 0.3));
     check(&Hencky::new(1.0e3, 0.3));
-    check(&Counting(LinearElastic::new(1.0e3, 0.3)));
+    check(&StepCounter(LinearElastic::new(1.0e3, 0.3)));
     // Particles of the block are stressed up to 1 Pa: some of them yield, some do not.
     check(&VonMises::new(1.0e3, 0.3, 1.0, 3.0).saturating(0.5, 20.0));
     check(&VonMises::new(1.0e3, 0.3, 1.0, 3.0).along(&[[1e-5, 1.1], [2e-5, 1.05], [1e-4, 1.2]]));
@@ -180,8 +181,8 @@ fn blocks_have_the_same_bits_for_all_lanes() {
 #[test]
 fn internal_variables_begin_and_go_on_as_their_law_says() {
     use proctor_laws::Strain;
-    let law = Counting(LinearElastic::new(1.0e3, 0.3));
-    let (mut set, gradients) = particles::<Counting>(2);
+    let law = StepCounter(LinearElastic::new(1.0e3, 0.3));
+    let (mut set, gradients) = particles::<StepCounter>(2);
     assert_eq!(set.column("steps"), Some(&[2.0; PARTICLES][..]));
     assert_eq!(set.column("strain 2"), Some(&[0.0; PARTICLES][..]));
     assert_eq!(set.column("strain"), None);

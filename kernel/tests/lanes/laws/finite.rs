@@ -55,7 +55,7 @@ fn the_wave_speed_is_a_bound() {
             if f.determinant() < 0.2 {
                 continue;
             }
-            let bound = call(axes, NEO, f, What::SpeedSquared)[0];
+            let bound = call(axes, NEO, f, LaneResult::SpeedSquared)[0];
             let mut next = numbers(seed + 1000);
             let mut fastest = 0.0_f64;
             for _ in 0..60 {
@@ -113,8 +113,8 @@ fn stretch_inverse_and_determinant_are_nalgebras() {
             if j < 0.2 {
                 continue;
             }
-            assert!((call(axes, NEO, f, What::Determinant)[0] - j).abs() < 4.0e-15);
-            let mut inverse = matrix(&call(axes, NEO, f, What::Inverse));
+            assert!((call(axes, NEO, f, LaneResult::Determinant)[0] - j).abs() < 4.0e-15);
+            let mut inverse = matrix(&call(axes, NEO, f, LaneResult::Inverse));
             inverse[(2, 2)] = if axes == 2 { 1.0 } else { inverse[(2, 2)] };
             // Entries of cofactors over J >= 0.2.
             assert!((inverse * f - Matrix3::identity()).amax() < 2.0e-14);
@@ -126,14 +126,14 @@ fn stretch_inverse_and_determinant_are_nalgebras() {
             // V of F R is V of F, as U of R F is U of F.
             let w = svd.u.expect("asked for");
             let left = w * Matrix3::from_diagonal(&svd.singular_values) * w.transpose();
-            let found = call(axes, NEO, f * turn, What::LeftStretch);
+            let found = call(axes, NEO, f * turn, LaneResult::LeftStretch);
             for axis in 0..axes {
                 assert!(
                     (found[axis] - left[(axis, axis)]).abs() < 1.0e-13,
                     "{found:?} {left}"
                 );
             }
-            let diagonal = call(axes, NEO, turn * f, What::Stretch);
+            let diagonal = call(axes, NEO, turn * f, LaneResult::Stretch);
             for axis in 0..axes {
                 assert!(
                     (diagonal[axis] - u[(axis, axis)]).abs() < 1.0e-13,
@@ -159,7 +159,7 @@ fn large_stretches_reach_round_off() {
         [10.0, 10.0, 0.1],
     ] {
         let u = Matrix3::from_diagonal(&Vector3::from(stretch));
-        let diagonal = call(3, NEO, turn * u, What::Stretch);
+        let diagonal = call(3, NEO, turn * u, LaneResult::Stretch);
         for axis in 0..3 {
             assert!(
                 (diagonal[axis] - stretch[axis]).abs() < 1.0e-13 * 10.0,

@@ -14,7 +14,7 @@ mod blocks;
 mod finite;
 
 /// The stress of a law that asks F alone.
-const FINITE: What = What::Stress(Configuration::Beginning, [0.0; 6]);
+const FINITE: LaneResult = LaneResult::Stress(Configuration::Beginning, [0.0; 6]);
 
 const G: f64 = 1.0;
 const ELASTIC: LinearElastic = LinearElastic::new(2.6, 0.3);
@@ -24,7 +24,7 @@ const DENSITY: f64 = 1.5;
 
 /// What the lanes compute for one particle.
 #[derive(Clone, Copy)]
-enum What {
+enum LaneResult {
     /// After a step with a stress before it.
     Stress(Configuration, [f64; 6]),
     SpeedSquared,
@@ -39,7 +39,7 @@ enum What {
 struct Call<M, const D: usize> {
     law: M,
     matrix: Matrix3<f64>,
-    what: What,
+    what: LaneResult,
 }
 
 impl<M: Law, const D: usize> Kernel for Call<M, D> {
@@ -51,7 +51,7 @@ impl<M: Law, const D: usize> Kernel for Call<M, D> {
             std::array::from_fn(|i| std::array::from_fn(|j| B::Native::splat(self.matrix[(i, j)])));
         let flat = |m: Matrix<B::Native>| m.into_iter().flatten().collect::<Vec<_>>();
         let (at, before) = match self.what {
-            What::Stress(at, s) => (at, s),
+            LaneResult::Stress(at, s) => (at, s),
             _ => (Configuration::Beginning, [0.0; 6]),
         };
         let jacobian = determinant::<_, D>(&m);
@@ -68,14 +68,14 @@ impl<M: Law, const D: usize> Kernel for Call<M, D> {
         let mut stress = Stress::<_, D>::of_packed(before.map(B::Native::splat));
         let speed_squared = self.law.update(&increment, &mut stress, &mut []);
         let values = match self.what {
-            What::Stress(..) => stress.packed().to_vec(),
-            What::SpeedSquared => vec![speed_squared],
-            What::Stretch => stretch_diagonal::<_, D>(&m).to_vec(),
-            What::LeftStretch => left_stretch_diagonal::<_, D>(&m).to_vec(),
-            What::Determinant => vec![determinant::<_, D>(&m)],
-            What::Inverse => flat(inverse::<_, D>(&m)),
-            What::Relative(at) => flat(relative_deformation::<_, D>(&m, at)),
-            What::VolumeRatio(at) => vec![volume_ratio::<_, D>(&m, at)],
+            LaneResult::Stress(..) => stress.packed().to_vec(),
+            LaneResult::SpeedSquared => vec![speed_squared],
+            LaneResult::Stretch => stretch_diagonal::<_, D>(&m).to_vec(),
+            LaneResult::LeftStretch => left_stretch_diagonal::<_, D>(&m).to_vec(),
+            LaneResult::Determinant => vec![determinant::<_, D>(&m)],
+            LaneResult::Inverse => flat(inverse::<_, D>(&m)),
+            LaneResult::Relative(at) => flat(relative_deformation::<_, D>(&m, at)),
+            LaneResult::VolumeRatio(at) => vec![volume_ratio::<_, D>(&m, at)],
         };
         let first = |lanes: B::Native| {
             let mut all = [0.0; 8];
@@ -86,7 +86,7 @@ impl<M: Law, const D: usize> Kernel for Call<M, D> {
     }
 }
 
-fn call<M: Law>(axes: usize, law: M, matrix: Matrix3<f64>, what: What) -> Vec<f64> {
+fn call<M: Law>(axes: usize, law: M, matrix: Matrix3<f64>, what: LaneResult) -> Vec<f64> {
     if axes == 2 {
         Selected::any().run(Call::<M, 2> { law, matrix, what })
     } else {
@@ -143,7 +143,7 @@ fn shear_error(axes: usize, law: LinearElastic, at: Configuration, n: u32) -> f6
     step[(0, 1)] = g / f64::from(n);
     let mut s = [0.0; 6];
     for _ in 0..n {
-        s = six(&call(axes, law, step, What::Stress(at, s)));
+        s = six(&call(axes, law, step, LaneResult::Stress(at, s)));
     }
     let s = ordered(axes, &s);
     let exact = [
@@ -204,11 +204,11 @@ fn forward_jaumann_grows_under_rotation() {
         let (mut forward, mut objective) = (start, start);
         for _ in 0..n {
             let at = Configuration::Beginning;
-            forward = six(&call(axes, FORWARD, step, What::Stress(at, forward)));
+            forward = six(&call(axes, FORWARD, step, LaneResult::Stress(at, forward)));
             // f = 1 + W stretches by w²/2 in each step. The rotation itself is f = R.
             let r = *Rotation3::from_axis_angle(&Vector3::z_axis(), w).matrix();
             let g = r - Matrix3::identity();
-            objective = six(&call(axes, ELASTIC, g, What::Stress(at, objective)));
+            objective = six(&call(axes, ELASTIC, g, LaneResult::Stress(at, objective)));
         }
         let growth = deviator(&ordered(axes, &forward)) / deviator(&ordered(axes, &start));
         // (1 + 16 pi²/n²)^(n/2)
@@ -246,17 +246,17 @@ fn rotation_increments_are_exact() {
                 (Configuration::Beginning, r - Matrix3::identity()),
                 (Configuration::End, Matrix3::identity() - r.transpose()),
             ] {
-                let turned = call(axes, ELASTIC, g, What::Stress(at, s));
+                let turned = call(axes, ELASTIC, g, LaneResult::Stress(at, s));
                 let error = (tensor(&ordered(axes, &turned)) - exact).amax();
                 // (f + 1)^-1 amplifies round-off by 1/cos²(angle/2), 200 at 3 rad.
                 let gain = (0.5 * angle).cos().powi(-2);
                 assert!(error < 4.0e-15 * gain, "{axes} {angle} {at:?}: {error}");
-                let ratio = call(axes, ELASTIC, g, What::VolumeRatio(at))[0];
+                let ratio = call(axes, ELASTIC, g, LaneResult::VolumeRatio(at))[0];
                 assert!(
                     (ratio - 1.0).abs() < 1.0e-15 * 4.0,
                     "{axes} {angle} {at:?}: det f {ratio}"
                 );
-                let f = matrix(&call(axes, ELASTIC, g, What::Relative(at)));
+                let f = matrix(&call(axes, ELASTIC, g, LaneResult::Relative(at)));
                 let mut difference = f - r;
                 if axes == 2 {
                     difference[(2, 2)] = 0.0;
@@ -278,13 +278,13 @@ fn two_dimensions_are_plane_strain() {
         );
         for law in [ELASTIC, FORWARD] {
             for at in [Configuration::Beginning, Configuration::End] {
-                let two = ordered(2, &call(2, law, g, What::Stress(at, flat)));
-                let three = ordered(3, &call(3, law, g, What::Stress(at, full)));
+                let two = ordered(2, &call(2, law, g, LaneResult::Stress(at, flat)));
+                let three = ordered(3, &call(3, law, g, LaneResult::Stress(at, full)));
                 assert!(
                     (tensor(&two) - tensor(&three)).amax() < 2.0e-14,
                     "{two:?} {three:?}"
                 );
-                let ratios = [2, 3].map(|axes| call(axes, law, g, What::VolumeRatio(at))[0]);
+                let ratios = [2, 3].map(|axes| call(axes, law, g, LaneResult::VolumeRatio(at))[0]);
                 assert!(
                     (ratios[0] - ratios[1]).abs() < 1.0e-14 * ratios[0],
                     "{ratios:?}"
@@ -314,7 +314,7 @@ fn small_strains_follow_hooke() {
             3,
             ELASTIC,
             g,
-            What::Stress(Configuration::Beginning, [0.0; 6]),
+            LaneResult::Stress(Configuration::Beginning, [0.0; 6]),
         ));
         // Terms of second order: 1e-16.
         assert!((tensor(&s) - exact).amax() < 1.0e-15, "{s:?} {exact}");

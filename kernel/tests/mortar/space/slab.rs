@@ -47,7 +47,7 @@ fn slab(line: &Boundary) -> (Facets, Vec<[usize; 2]>) {
     (facets, both)
 }
 
-struct Both {
+struct MirroredSlabs {
     plane: PairForces<2, 1>,
     space: PairForces<3, 2>,
     slave: Vec<[usize; 2]>,
@@ -55,7 +55,7 @@ struct Both {
 }
 
 /// Forces after several steps in which the slave was dragged along, in the plane and as slabs.
-fn both(slave: &Boundary, master: &Boundary, law: &PairLaw, by: PlanePoint) -> Both {
+fn both(slave: &Boundary, master: &Boundary, law: &PairLaw, by: PlanePoint) -> MirroredSlabs {
     let (slave_slab, of_slave) = slab(slave);
     let (master_slab, of_master) = slab(master);
     let (mut slip, mut slip_slab) = (Slip::default(), Slip::default());
@@ -95,7 +95,7 @@ fn both(slave: &Boundary, master: &Boundary, law: &PairLaw, by: PlanePoint) -> B
     step();
     step();
     let (plane, space) = step();
-    Both {
+    MirroredSlabs {
         plane,
         space,
         slave: of_slave,

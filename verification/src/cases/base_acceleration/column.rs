@@ -171,7 +171,7 @@ impl Column {
         let moved =
             move |x: &Vector, t| [0.0, 0.0, exact.velocity(x[2], t, |t| shaking.velocity(t))];
         Guest {
-            compared: Compared::Velocity,
+            compared: ComparedField::Velocity,
             ..Guest::new(guest::prepared(scene, guest::FRAMES, step), moved)
         }
     }

@@ -2,19 +2,19 @@
 
 use crate::cases::prelude::*;
 
-pub(super) const FROM_PARTICLES: &str = "vertices from where their particles take them, rms";
+pub(super) const FROM_PARTICLES: &str = "rms distance of vertices from their particles";
 pub(super) const FARTHEST: &str = "the same, farthest vertex";
 pub(super) const FROM_REFERENCE: &str = "vertices from the reference, rms";
 
 /// The vertices when the beam hangs.
-pub(super) struct Hanging {
+pub(super) struct HangingShape {
     /// From where they started \[m\].
     displacements: Vec<[f64; 2]>,
     /// Distances to where their particles take them \[m\].
     distances: Vec<f64>,
 }
 
-impl Hanging {
+impl HangingShape {
     /// Compares with the particles that were nearest at the start.
     pub(super) fn new(simulation: &Simulation, starts: &[[f64; 3]]) -> Result<Self, String> {
         let now = simulation

@@ -17,12 +17,12 @@ const TENSILE: f64 = 0.4;
 const SEED: u64 = 2026;
 
 /// Names of the quantities, each the worst of all laws and states.
-const YIELD: &str = "beyond the surface, over the state before";
-const AGAIN: &str = "moved when returned again, over the state before";
-const TURNED: &str = "off when axes are turned, over the state before";
-const WORK: &str = "plastic work below zero, over that of the state before";
+const YIELD: &str = "distance beyond the yield surface over the initial state";
+const AGAIN: &str = "change by a second return over the initial state";
+const TURNED: &str = "difference when axes are turned over the initial state";
+const WORK: &str = "negative plastic work over that of the initial state";
 const LANES: &str = "states with other bits on other lanes";
-const CORNERS: &str = "beyond the surface at corners, over the state before";
+const CORNERS: &str = "distance beyond the yield surface at corners over the initial state";
 
 /// A law that does not harden, and by how much a stress is beyond its surface \[Pa\], of the strength and the principal stresses,
 /// the largest first.

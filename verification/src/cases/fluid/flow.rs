@@ -28,7 +28,7 @@ const PERCENT: &str = "one percent";
 pub(super) const FORCE: Problem = Problem {
     variant: "force",
     cells: &[10, 20],
-    scene: |rung| scene(rung, newtonian(), Driven::ByForce),
+    scene: |rung| scene(rung, newtonian(), FlowDrive::ByForce),
     run: |reference, rung, simulation, observer| {
         let exact = channel(reference, 0.0);
         let g = reference.of(&WRONG_FORCE) * FORCE_ALONG;
@@ -49,7 +49,7 @@ pub(super) const FORCE: Problem = Problem {
 pub(super) const DRAG: Problem = Problem {
     variant: "drag",
     cells: &[10, 20],
-    scene: |rung| scene(rung, newtonian(), Driven::ByWall),
+    scene: |rung| scene(rung, newtonian(), FlowDrive::ByWall),
     run: |reference, rung, simulation, observer| {
         let exact = channel(reference, 0.0);
         let speed = reference.of(&WRONG_FORCE) * SPEED;
@@ -69,7 +69,7 @@ pub(super) const DRAG: Problem = Problem {
 pub(super) const FORCE_OF_BINGHAM: Problem = Problem {
     variant: "Bingham force",
     cells: &[10, 20],
-    scene: |rung| scene(rung, bingham(plug_stress()), Driven::ByForce),
+    scene: |rung| scene(rung, bingham(plug_stress()), FlowDrive::ByForce),
     run: |reference, rung, simulation, observer| {
         let exact = channel(reference, plug_stress());
         let g = reference.of(&WRONG_FORCE) * FORCE_ALONG;
@@ -88,7 +88,7 @@ pub(super) const FORCE_OF_BINGHAM: Problem = Problem {
 pub(super) const DRAG_OF_BINGHAM: Problem = Problem {
     variant: "Bingham drag",
     cells: &[10, 20],
-    scene: |rung| scene(rung, bingham(drag_stress()), Driven::ByWall),
+    scene: |rung| scene(rung, bingham(drag_stress()), FlowDrive::ByWall),
     run: |reference, rung, simulation, observer| {
         let exact = channel(reference, drag_stress());
         let speed = reference.of(&WRONG_FORCE) * SPEED;
@@ -105,7 +105,7 @@ pub(super) const DRAG_OF_BINGHAM: Problem = Problem {
 
 /// What drives a flow.
 #[derive(Clone, Copy, PartialEq)]
-enum Driven {
+enum FlowDrive {
     ByForce,
     ByWall,
 }
@@ -149,7 +149,7 @@ fn started() -> History {
 }
 
 /// A layer across x, one cell long along it.
-fn scene(rung: &Rung, law: AnyLaw, driven: Driven) -> Scene {
+fn scene(rung: &Rung, law: AnyLaw, driven: FlowDrive) -> Scene {
     let h = rung.cell;
     let cells = (WIDTH / h).round() as usize;
     let mut mesh = Mesh::new(Dimension::Two, [0.0; 3], [h; 3], [1, cells, 1]);
@@ -159,8 +159,8 @@ fn scene(rung: &Rung, law: AnyLaw, driven: Driven) -> Scene {
     scene.materials = material("fluid", DENSITY, law);
     scene.bodies = vec![body("fluid", 1, rectangle([0.0; 2], [h, WIDTH]))];
     match driven {
-        Driven::ByForce => scene.gravity = [FORCE_ALONG, 0.0, 0.0],
-        Driven::ByWall => {
+        FlowDrive::ByForce => scene.gravity = [FORCE_ALONG, 0.0, 0.0],
+        FlowDrive::ByWall => {
             scene.base_motion = Some(BaseMotion {
                 axis: 1,
                 side: 1,
@@ -186,7 +186,7 @@ fn flow(
     simulation: &mut Simulation,
     observer: &mut dyn Observer,
     exact: impl Fn(f64, f64) -> f64,
-) -> Result<Found, Failure> {
+) -> Result<Measurements, Failure> {
     let mut errors = [None; 2];
     for (error, time) in errors.iter_mut().zip(TIMES) {
         run_until(simulation, time * CROSSING, observer, |_| {})?;
@@ -196,7 +196,7 @@ fn flow(
     let quantities = vec![ratio(STARTING, errors[0]), ratio(AT_LAST, errors[1])];
     let time = simulation.velocity_time();
     let curve = profile(rung, simulation, |y| exact(y, time));
-    Ok(Found::of(quantities).drawn(curve))
+    Ok(Measurements::of(quantities).drawn(curve))
 }
 
 /// Runs to the end; velocity and shear stress are exact by the distance from the wall at rest.
@@ -205,7 +205,7 @@ fn at_last(
     simulation: &mut Simulation,
     observer: &mut dyn Observer,
     exact: impl Fn(f64) -> (f64, f64),
-) -> Result<Found, Failure> {
+) -> Result<Measurements, Failure> {
     run_until(simulation, AT_END * CROSSING, observer, |_| {})?;
     let velocity = error_of_velocity(simulation, |y| exact(y).0);
     let set = &simulation.sets()[0];
@@ -217,7 +217,7 @@ fn at_last(
         quantities.push(ratio(STRESS, stress));
     }
     let curve = profile(rung, simulation, |y| exact(y).0);
-    Ok(Found::of(quantities).drawn(curve))
+    Ok(Measurements::of(quantities).drawn(curve))
 }
 
 /// Velocity over the channel.

@@ -53,7 +53,7 @@ fn run(
     rung: &Rung,
     simulation: &mut Simulation,
     observer: &mut dyn Observer,
-) -> Result<Found, Failure> {
+) -> Result<Measurements, Failure> {
     let weight = DENSITY * GRAVITY * HEIGHT * rung.cell;
     let most = most_steps(&Settings::new(METHOD), HEIGHT / rung.cell);
     relax(simulation, weight, RESIDUAL, most, observer)?;
@@ -91,5 +91,5 @@ fn run(
         ratio(PRESSURE, pressures),
         ratio(DISPLACEMENT, displacement),
     ];
-    Ok(Found::of(quantities).drawn(curve))
+    Ok(Measurements::of(quantities).drawn(curve))
 }

@@ -76,7 +76,7 @@ fn run(
     _: &Rung,
     simulation: &mut Simulation,
     observer: &mut dyn Observer,
-) -> Result<Found, Failure> {
+) -> Result<Measurements, Failure> {
     let amplitude = |simulation: &Simulation| {
         let set = &simulation.sets()[0];
         let (mut sum, mut norm) = (0.0, 0.0);
@@ -102,7 +102,7 @@ fn run(
     // The first velocity is half a step from the next, all others are a whole one apart.
     let rate = decay(&all[1..], end / simulation.steps() as f64);
     let quantity = Quantity::compared(RATE, rate, exact, "1/s");
-    Ok(Found::of([quantity]))
+    Ok(Measurements::of([quantity]))
 }
 
 /// Rate of decay of a swing by its values `dt` (s) apart (Prony): those a quarter period apart are related by

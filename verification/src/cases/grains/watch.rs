@@ -6,11 +6,12 @@ use crate::cases::prelude::*;
 
 const SAMPLES: usize = 245; // Samples of a run
 
-pub(super) const INSIDE: &str = "vertices inside another grain, most of any step";
-pub(super) const BEYOND: &str = "vertices beyond plate, floor or a wall, most of any step";
+pub(super) const INSIDE: &str = "largest number of vertices inside another grain";
+pub(super) const BEYOND: &str = "largest number of vertices beyond plate, floor or wall";
 pub(super) const SMALLEST: &str = "smallest distance between two, over the critical gap";
-pub(super) const MOMENTUM: &str = "momentum that no impulse accounts for, over the plate's impulse";
-pub(super) const BALANCE: &str = "plate less floor and damping, over the plate, last tenth";
+pub(super) const MOMENTUM: &str = "unaccounted momentum over the impulse of the plate";
+pub(super) const BALANCE: &str =
+    "force of plate minus floor and damping over that of the plate in the last tenth";
 pub(super) const GAINED: &str = "largest energy beyond the plate's work, over that work";
 pub(super) const FLOOR_SHARE: &str = "floor over plate, last tenth";
 pub(super) const PHASES: &str = "slope of the plate's force in the last tenth over the first half";

@@ -98,7 +98,7 @@ pub fn verdict(runs: &Runs<'_>) -> Verdict {
 }
 
 /// Displacement over time for all frictions in one picture, of the first variant that slides on its finest mesh.
-fn picture(ladder: &[(Rung, Problem)], solved: &[(Rung, Solved)]) -> Option<Curve> {
+fn picture(ladder: &[(Rung, Problem)], solved: &[(Rung, RungResult)]) -> Option<Curve> {
     let variant = ladder.first()?.0.variant;
     let own = || solved.iter().filter(|(rung, _)| rung.variant == variant);
     let finest = own().map(|(rung, _)| rung.cell).reduce(f64::min)?;
@@ -125,7 +125,7 @@ fn picture(ladder: &[(Rung, Problem)], solved: &[(Rung, Solved)]) -> Option<Curv
 }
 
 /// Signed relative error.
-fn signed(solved: &Solved, name: &str) -> f64 {
+fn signed(solved: &RungResult, name: &str) -> f64 {
     solved
         .quantity(name)
         .and_then(|q| Some(q.value / q.exact? - 1.0))

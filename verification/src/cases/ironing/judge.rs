@@ -30,7 +30,8 @@ pub fn verdict(runs: &Runs<'_>) -> Verdict {
         let reading = reading(rung);
         let found = solved.iter().find(|(other, _)| other == rung);
         let error = |name| found.map_or(f64::NAN, |(_, s)| s.error(name));
-        let value = |of: Option<&(Rung, Solved)>, name| of.map_or(f64::NAN, |(_, s)| s.value(name));
+        let value =
+            |of: Option<&(Rung, RungResult)>, name| of.map_or(f64::NAN, |(_, s)| s.value(name));
         let mut at_most = |name: String, value, bound, reason| {
             let name = format!("{}: {name}", rung.label);
             gates.push(Gate::at_most(name, value, bound, reason));
@@ -66,7 +67,8 @@ pub fn verdict(runs: &Runs<'_>) -> Verdict {
         }
         let without = |r: &&Reading| r.stiffness == reading.stiffness && r.friction == 0.0;
         let without = READINGS.iter().find(without).and_then(|other| {
-            let own = |(r, _): &&(Rung, Solved)| r.variant == other.variant && r.cell == rung.cell;
+            let own =
+                |(r, _): &&(Rung, RungResult)| r.variant == other.variant && r.cell == rung.cell;
             solved.iter().find(own)
         });
         for (name, figure, off) in ADDED {
@@ -75,7 +77,7 @@ pub fn verdict(runs: &Runs<'_>) -> Verdict {
             }
             let added = (value(found, name) - value(without, name)) / reading.stiffness;
             at_most(
-                format!("what friction adds to the {name}, less {figure} N"),
+                format!("increase by friction of the {name}, less {figure} N"),
                 (added - figure * runs.reference.of(&WRONG_FORCE)).abs(),
                 off,
                 "the method's reference figures; without friction nothing is added",

@@ -125,7 +125,7 @@ pub(super) fn bound(rung: &Rung) -> (f64, &'static str) {
 }
 
 /// Gate on the order at which the turn of the disk that slips approaches that of the flattened disk.
-pub(super) fn order(solved: &[(Rung, Solved)]) -> Gate {
+pub(super) fn order(solved: &[(Rung, RungResult)]) -> Gate {
     let slips: Vec<_> = solved.iter().filter(|(r, _)| r.variant == "slip").collect();
     let order = match slips[..] {
         [.., (coarse, a), (fine, b)] => {

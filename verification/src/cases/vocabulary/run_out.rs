@@ -19,11 +19,12 @@ const PICTURED: [u32; 5] = [0, 8, 16, 32, 64];
 const SHEARED: f64 = 0.5; // Plastic strain beyond which a cell is drawn as part of a band
 
 /// Names of the quantities.
-pub const LOST: &str = "mass lost, over that of the start";
-pub const GAINED: &str = "energy from nowhere, most of any sample, over what fell";
-pub const BACK: &str = "plastic work that was given back, over what fell";
-pub const ASTRAY: &str = "centre of mass off the way of its momentum, over what it fell";
-pub const MOVING: &str = "kinetic energy at the end, over what fell";
+pub const LOST: &str = "mass lost over the initial mass";
+pub const GAINED: &str = "largest energy gained over the potential energy lost";
+pub const BACK: &str = "plastic work returned over the potential energy lost";
+pub const ASTRAY: &str =
+    "distance of the centre of mass from the path of its momentum over its fall";
+pub const MOVING: &str = "final kinetic energy over the potential energy lost";
 pub const UNBOOKED: &str = "taken at planes and between particles and nodes, over what fell";
 pub const FRONT: &str = "front at the end";
 pub const TOP: &str = "highest point at the end";

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use proctor_scene::simulation::{Options, Simulation, StepInfo};
 use proctor_scene::{OnImbalance, Scene, TimeStep};
 
-use crate::case::{CurvePoint, Found, Quantity, Run, Solved};
+use crate::case::{CurvePoint, Measurements, Quantity, Run, RungResult};
 use crate::convergence::relative_l2;
 use crate::study::{Failure, Observer, Phase, STOPPED};
 
@@ -240,11 +240,11 @@ impl Run<'_> {
 pub fn simulate(
     mut scene: Scene,
     options: &Options,
-    run: impl FnOnce(&mut Simulation) -> Result<Found, Failure>,
-) -> Result<Solved, Failure> {
+    run: impl FnOnce(&mut Simulation) -> Result<Measurements, Failure>,
+) -> Result<RungResult, Failure> {
     scene.on_imbalance = OnImbalance::Stop;
     scene.check()?;
     let mut simulation = Simulation::new(&scene, options)?;
     let found = run(&mut simulation)?;
-    Ok(Solved::new(found, &simulation))
+    Ok(RungResult::new(found, &simulation))
 }

@@ -17,7 +17,7 @@ impl Vibration<'_> {
     ///
     /// # Errors
     /// Where a step fails, and where the amplitude has not three zeros.
-    pub fn compare(&self, run: Run<'_>, quantity: &'static str) -> Result<Found, Failure> {
+    pub fn compare(&self, run: Run<'_>, quantity: &'static str) -> Result<Measurements, Failure> {
         let end = run.simulation.scene().time;
         let mut samples: Vec<(f64, f64)> = vec![];
         let mut keep = |simulation: &Simulation| {
@@ -44,7 +44,7 @@ impl Vibration<'_> {
             points,
         );
         let frequency = Quantity::compared(quantity, 1.0 / (third - first), self.frequency, "Hz");
-        Ok(Found::of([frequency]).drawn(curve))
+        Ok(Measurements::of([frequency]).drawn(curve))
     }
 
     /// The share of the mode in the velocities, over that of the start.

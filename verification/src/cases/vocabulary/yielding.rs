@@ -32,7 +32,7 @@ const COHESION: f64 = 0.3;
 
 /// A solid of these cases.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Yielding {
+pub struct PlasticSolid {
     /// One of [`LAWS`].
     pub variant: &'static str,
     /// Young's modulus \[Pa\].
@@ -41,7 +41,7 @@ pub struct Yielding {
     pub strength: f64,
 }
 
-impl Yielding {
+impl PlasticSolid {
     /// Poisson's ratio.
     pub fn poisson(&self) -> f64 {
         match self.variant {

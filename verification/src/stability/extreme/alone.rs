@@ -31,7 +31,7 @@ impl Falls {
     }
 
     /// A fall of a particle in a scene without bodies.
-    fn of(&mut self, mut scene: Scene, at: Vector, volume: f64) -> Result<(), Unexpected> {
+    fn of(&mut self, mut scene: Scene, at: Vector, volume: f64) -> Result<(), RowFault> {
         const YOUNG: f64 = 1e-4;
         const VELOCITY: Vector = [0.3, 0.2, 0.1];
         const GRAVITY: Vector = [0.01, -0.05, 0.02];
@@ -57,7 +57,7 @@ impl Falls {
     }
 
     /// Particles of three sizes at some shares of a cell, with each method of some weighting functions.
-    fn at(&mut self, shares: &[f64], weightings: &[Weighting]) -> Result<(), Unexpected> {
+    fn at(&mut self, shares: &[f64], weightings: &[Weighting]) -> Result<(), RowFault> {
         for (&weighting, &share) in weightings
             .iter()
             .flat_map(|w| shares.iter().map(move |s| (w, s)))
@@ -74,7 +74,7 @@ impl Falls {
     }
 }
 
-fn one_particle() -> Judged {
+fn one_particle() -> RowVerdict {
     let mut falls = Falls::new();
     falls.at(&[0.0], &WEIGHTINGS[1..])?;
     falls.at(&[1e-9, 0.25, 0.5, 1.0 - 1e-9], &WEIGHTINGS)?;
@@ -84,13 +84,13 @@ fn one_particle() -> Judged {
     Ok(Finding::of(falls.0))
 }
 
-fn one_particle_on_node() -> Judged {
+fn one_particle_on_node() -> RowVerdict {
     let mut falls = Falls::new();
     falls.at(&[0.0], &WEIGHTINGS[..1])?;
     Ok(Finding::of(falls.0))
 }
 
-fn thin_shell() -> Judged {
+fn thin_shell() -> RowVerdict {
     const COUNT: usize = 48;
     const RADIUS: f64 = 2.7;
     const CENTER: [f64; 2] = [6.0, 6.0];
@@ -100,7 +100,7 @@ fn thin_shell() -> Judged {
     let mut turned = gate("breathing: a quarter turn of the ring against the ring, over its swing")
         .at_most(1e-9)
         .because("ring and mesh are the same after a quarter turn; places differ by round-off, which the swings carry along");
-    let mut kept = Kept::named("breathing");
+    let mut kept = Conservation::named("breathing");
     let volume = 0.1 * TAU * RADIUS / COUNT as f64;
     let ring = listed((0..COUNT).map(|i| {
         let (sin, cos) = libm::sincos(TAU * (i as f64 + 0.5) / COUNT as f64);

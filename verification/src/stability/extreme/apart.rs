@@ -18,7 +18,7 @@ const REACH: f64 = 2.5;
 const LONGEST: f64 = 10.0;
 
 /// The bar with a method, and its start.
-fn bar(weighting: Weighting, scheme: StressScheme) -> Result<Simulation, Unexpected> {
+fn bar(weighting: Weighting, scheme: StressScheme) -> Result<Simulation, RowFault> {
     let half = 0.5 * LENGTH;
     let mut scene = block(
         [60, 1],
@@ -47,7 +47,7 @@ fn columns(simulation: &Simulation) -> Vec<[f64; 2]> {
 }
 
 /// Change of velocity of the columns after none reaches a node of another, over that of the ends.
-fn pull_after_parting(scheme: StressScheme) -> Result<f64, Unexpected> {
+fn pull_after_parting(scheme: StressScheme) -> Result<f64, RowFault> {
     let mut simulation = bar(Weighting::UniformGimp, scheme)?;
     let nearest = |simulation: &Simulation| {
         let all = columns(simulation);
@@ -56,7 +56,7 @@ fn pull_after_parting(scheme: StressScheme) -> Result<f64, Unexpected> {
     };
     while nearest(&simulation) <= REACH {
         if simulation.time() * RATE > LONGEST {
-            return Err(Unexpected(format!("{scheme:?}: the columns never part")));
+            return Err(RowFault(format!("{scheme:?}: the columns never part")));
         }
         step(&mut simulation, NEVER)?;
     }
@@ -67,7 +67,7 @@ fn pull_after_parting(scheme: StressScheme) -> Result<f64, Unexpected> {
     Ok(changes.fold(0.0, worst) / (0.5 * LENGTH * RATE))
 }
 
-fn torn_apart() -> Judged {
+fn torn_apart() -> RowVerdict {
     let mut pulled = gate("uGIMP: change of velocity of what has parted, over that of the ends")
         .at_most(ROUND_OFF)
         .because("no node is in reach of two particles, and none acts on itself");
@@ -81,7 +81,7 @@ fn torn_apart() -> Judged {
         let mut simulation = bar(CONTIGUOUS, scheme)?;
         let stopped = loop {
             if simulation.time() * RATE > LONGEST {
-                return Err(Unexpected(String::from("no domain ever outgrew a cell")));
+                return Err(RowFault(String::from("no domain ever outgrew a cell")));
             }
             if let Err(error) = simulation.step(NEVER) {
                 break error;

@@ -37,7 +37,7 @@ fn soft_block(cells: usize, low: [f64; 2], high: [f64; 2], method: Method) -> Sc
     with(&block([cells; 2], low, high, soft()), method)
 }
 
-fn rest() -> Judged {
+fn rest() -> RowVerdict {
     let mut changed = gate("runs whose state changed").none().because(NO_FORCE);
     for method in methods() {
         for law in [soft(), NeoHookean::new(YOUNG, POISSON).into()] {
@@ -63,7 +63,7 @@ fn rest() -> Judged {
 
 /// Hash of a block with gravity and a rough start after some steps; corners are powers of two of a metre, so that they are
 /// numbers of the machine at 1e9 m, too.
-fn hash_at(distance: f64, method: Method) -> Result<u64, Unexpected> {
+fn hash_at(distance: f64, method: Method) -> Result<u64, RowFault> {
     let by = [distance, -distance, 0.0];
     let moved = |x: Vector| -> Vector { std::array::from_fn(|axis| x[axis] + by[axis]) };
     let mut scene = soft_block(12, [4.25, 5.5], [7.25, 8.0], method);
@@ -77,7 +77,7 @@ fn hash_at(distance: f64, method: Method) -> Result<u64, Unexpected> {
     Ok(simulation.state_hash())
 }
 
-fn far(distance: f64) -> Judged {
+fn far(distance: f64) -> RowVerdict {
     let mut other = gate("methods with other bits than at zero")
         .none()
         .because(LOCAL);
@@ -90,7 +90,7 @@ fn far(distance: f64) -> Judged {
 /// A velocity \[m/s\] and a stress \[Pa\] with few digits left.
 const DENORMAL: f64 = 1e-310;
 
-fn denormals() -> Judged {
+fn denormals() -> RowVerdict {
     let mut not_numbers = gate("particles with a value that is no number")
         .none()
         .because("small is not wrong");
@@ -149,7 +149,7 @@ fn by_place(simulation: &Simulation, places: &[(Vector, f64)]) -> Vec<Vec<u64>> 
     all.into_iter().map(|(_, state)| state).collect()
 }
 
-fn same() -> Judged {
+fn same() -> RowVerdict {
     let mut threads = gate("runs on two and three threads with other bits")
         .none()
         .because(ORDER);
@@ -164,7 +164,7 @@ fn same() -> Judged {
         .because("what a step leaves behind is all that the next one needs");
     for method in methods() {
         let count = count_of(method, 60);
-        let run = |scene: &Scene, options: &Options| -> Result<Simulation, Unexpected> {
+        let run = |scene: &Scene, options: &Options| -> Result<Simulation, RowFault> {
             let mut simulation = start(scene, options)?;
             steps(&mut simulation, count)?;
             Ok(simulation)

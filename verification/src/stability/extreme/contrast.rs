@@ -87,7 +87,7 @@ fn critical_step(whose: &str, scene: &Scene, wave_speed: f64) -> Judgement {
         .found((found * wave_speed / number - 1.0).abs()))
 }
 
-fn stiffness() -> Judged {
+fn stiffness() -> RowVerdict {
     const LAYERS: &[Layer] = &[(4, 1e6, 1.0), (8, 1.0, 1.0)];
     const GRAVITY: f64 = 1e-6;
     let exact = SuddenWeight {
@@ -97,7 +97,7 @@ fn stiffness() -> Judged {
     };
     // While the front from the base is on its way up, over the largest stress.
     let end = 0.75 * exact.height;
-    let error = |layers: &[Layer], scheme, base: f64| -> Result<f64, Unexpected> {
+    let error = |layers: &[Layer], scheme, base: f64| -> Result<f64, RowFault> {
         let scene = column(layers, GRAVITY).with_scheme(scheme);
         let mut simulation = start(&scene, &options())?;
         to_time(&mut simulation, end)?;
@@ -124,7 +124,7 @@ fn stiffness() -> Judged {
     ]))
 }
 
-fn density() -> Judged {
+fn density() -> RowVerdict {
     const HEAVY: f64 = 4.0;
     const LIGHT: f64 = 8.0;
     const SPEED: f64 = 1e-4;
@@ -144,7 +144,7 @@ fn density() -> Judged {
         .at_most(2.0 / LIGHT)
         .because("functions of the heavy bar reach the node one cell into the light one and hold it, and the way goes with the square of \
              the length: 2 h/L");
-    let mut kept = Kept::named("twenty periods");
+    let mut kept = Conservation::named("twenty periods");
     for scene in each_scheme(&bar, SAFE) {
         let mut simulation = kept.start(&scene, &swings)?;
         let from = simulation.center(1).position[0];
@@ -161,10 +161,10 @@ fn density() -> Judged {
     Ok(Finding::of([critical, off, smeared]).and(kept.gates()))
 }
 
-fn both() -> Judged {
+fn both() -> RowVerdict {
     const LAYERS: &[Layer] = &[(3, 1e9, 1.0), (3, 1.0, 1e6), (3, 1e9, 1e6), (3, 1.0, 1.0)];
     const GRAVITY: f64 = 1e-12;
-    let mut kept = Kept::named("quarters of a block");
+    let mut kept = Conservation::named("quarters of a block");
     let breathes = flying(|x| [1e-3 * (x[0] - 5.9), 1e-3 * (x[1] - 5.9), 0.0]);
     // Quarters of a block, not on the nodes; each kind beside two others.
     let mut quarters = open([12, 12]);

@@ -56,7 +56,7 @@ impl Falls {
         scene: &Scene,
         time: f64,
         force: impl Fn(&Simulation) -> Vector,
-    ) -> Result<(), Unexpected> {
+    ) -> Result<(), RowFault> {
         let up = self.up;
         let mut simulation = start(scene, &options())?;
         let (mass, before) = (simulation.mass(), simulation.momentum());
@@ -109,11 +109,11 @@ pub(super) fn onto_surface(
     [p1, p2]: [Vector; 2],
     corners: &[[Vector; 3]],
     penalty_stiffness: Option<f64>,
-) -> Result<Scene, Unexpected> {
+) -> Result<Scene, RowFault> {
     let mut scene = open_space(cells).with_gravity([0.0, 0.0, -1e-3]);
     let material = scene.add_material(elastic(1.0, 0.3), 1.0);
     scene.add_body(cuboid(p1, p2), material).velocity = [0.0, 0.0, -0.05];
-    let surface = Surface::new(corners).map_err(|error| Unexpected(error.to_string()))?;
+    let surface = Surface::new(corners).map_err(|error| RowFault(error.to_string()))?;
     scene.surfaces = vec![RigidSurface {
         name: String::from("surface"),
         surface: Arc::new(surface),
@@ -156,7 +156,7 @@ pub(super) fn boundary(body: i64) -> BodyBoundary {
 }
 
 /// A cube that falls on a ridge of two triangles' width below its middle.
-fn ridge() -> Result<Scene, Unexpected> {
+fn ridge() -> Result<Scene, RowFault> {
     const MIDDLE: f64 = 4.0;
     let cube = [[MIDDLE - 1.0, 3.0, 3.1], [MIDDLE + 1.0, 5.0, 5.1]];
     let (a, b) = ([MIDDLE, 0.5, 2.8], [MIDDLE, 7.5, 2.8]);
@@ -201,7 +201,7 @@ fn own_corner() -> Scene {
     scene
 }
 
-fn corner_fall() -> Judged {
+fn corner_fall() -> RowVerdict {
     let mut cube = Falls::named("cube on a ridge", 2);
     for scheme in SCHEMES {
         let pushed = |s: &Simulation| s.surface_force(0).map(|f| -f);

@@ -16,7 +16,7 @@ pub static ROWS: &[Extreme] = &[
 /// Cells per millisecond.
 const SPEED: f64 = 5e3;
 
-fn cells_per_step() -> Judged {
+fn cells_per_step() -> RowVerdict {
     let mut moved = gate("cells that are crossed in a step")
         .at_most(0.5)
         .because("what crosses more than half a cell in a step has skipped nodes that it should have met");
@@ -100,7 +100,7 @@ fn inverted(
     what: String,
     error: &StepError,
     right: fn(&ParticleAt) -> bool,
-) -> Result<String, Unexpected> {
+) -> Result<String, RowFault> {
     match &error.kind {
         StepErrorKind::Inverted(at) if at.volume <= 0.0 && right(at) => {
             Ok(format!("{what}: {error}"))
@@ -109,7 +109,7 @@ fn inverted(
     }
 }
 
-fn fast_piston() -> Judged {
+fn fast_piston() -> RowVerdict {
     const SPEED_OVER_WAVES: f64 = 2.0;
     let mut off = gate("elastic: stress over that of the logarithmic strain, less one")
         .at_most(f64::NAN)

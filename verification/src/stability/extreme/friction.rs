@@ -29,7 +29,7 @@ fn slope(friction: f64) -> Scene {
     scene
 }
 
-fn friction() -> Judged {
+fn friction() -> RowVerdict {
     let mut free = gate("friction 0: velocity over g sin(theta) t, less one")
         .at_most(1e-9)
         .because("the normal of a flat base has no part along it but round-off, and nothing else acts along the slope");

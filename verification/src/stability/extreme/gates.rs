@@ -4,34 +4,34 @@ use super::prelude::*;
 use crate::case::Relation;
 
 /// The beginning of a gate: its name.
-pub struct Named(String);
+pub struct GateName(String);
 
 /// A gate that has no reason yet.
-pub struct Bounded(Gate);
+pub struct GateBound(Gate);
 
 /// A gate by its name; a bound and a reason follow.
-pub fn gate(name: impl Into<String>) -> Named {
-    Named(name.into())
+pub fn gate(name: impl Into<String>) -> GateName {
+    GateName(name.into())
 }
 
-impl Named {
+impl GateName {
     /// An upper bound.
-    pub fn at_most(self, bound: f64) -> Bounded {
-        Bounded(Gate::at_most(self.0, 0.0, bound, ""))
+    pub fn at_most(self, bound: f64) -> GateBound {
+        GateBound(Gate::at_most(self.0, 0.0, bound, ""))
     }
 
     /// A lower bound.
-    pub fn at_least(self, bound: f64) -> Bounded {
-        Bounded(Gate::at_least(self.0, f64::INFINITY, bound, ""))
+    pub fn at_least(self, bound: f64) -> GateBound {
+        GateBound(Gate::at_least(self.0, f64::INFINITY, bound, ""))
     }
 
     /// Nothing of what is counted.
-    pub fn none(self) -> Bounded {
+    pub fn none(self) -> GateBound {
         self.at_most(0.0)
     }
 }
 
-impl Bounded {
+impl GateBound {
     /// Why this bound.
     pub fn because(self, reason: &'static str) -> Gate {
         Gate { reason, ..self.0 }
@@ -62,7 +62,7 @@ impl Gate {
 }
 
 /// Momentum and energy of runs on which nothing acts from outside, and what must hold of the worst of them.
-pub struct Kept {
+pub struct Conservation {
     momentum: Vector,
     scale: f64,
     energy: f64,
@@ -72,7 +72,7 @@ pub struct Kept {
     pub grown: Gate,
 }
 
-impl Kept {
+impl Conservation {
     /// Of nothing yet.
     pub fn named(what: &str) -> Self {
         Self {
@@ -94,7 +94,7 @@ impl Kept {
     ///
     /// # Errors
     /// Why it does not start.
-    pub fn start(&mut self, scene: &Scene, options: &Options) -> Result<Simulation, Unexpected> {
+    pub fn start(&mut self, scene: &Scene, options: &Options) -> Result<Simulation, RowFault> {
         let simulation = start(scene, options)?;
         self.momentum = simulation.momentum();
         self.scale = momentum_scale(&simulation);

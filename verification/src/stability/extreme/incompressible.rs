@@ -33,7 +33,7 @@ fn confined(poisson: f64) -> f64 {
 }
 
 /// A column between sliding planes that is let go under its weight, and run while a wave goes through it.
-fn let_go(young: f64, poisson: f64, weighting: Weighting) -> Result<Simulation, Unexpected> {
+fn let_go(young: f64, poisson: f64, weighting: Weighting) -> Result<Simulation, RowFault> {
     let modulus = young * confined(poisson);
     let gravity = 1e-6 * modulus / HEIGHT;
     let cells = [2, HEIGHT as usize + 2];
@@ -67,7 +67,7 @@ fn exactly_sunk(modulus: f64) -> f64 {
     (0..PARTS).map(at).sum::<f64>() / PARTS as f64
 }
 
-fn nearly_incompressible() -> Judged {
+fn nearly_incompressible() -> RowVerdict {
     let mut finding = Finding::default();
     for poisson in RATIOS {
         let name = format!("nu = {poisson}");
@@ -83,7 +83,7 @@ fn nearly_incompressible() -> Judged {
         let mut off = gate(format!("{name}: settlement against the exact one"))
             .at_most(0.02)
             .because("eight cells: a front that is spread over (h² H)^(1/3) brings the mean off by its share of the height squared");
-        let mut kept = Kept::named(&format!("{name}, free block with noise"));
+        let mut kept = Conservation::named(&format!("{name}, free block with noise"));
 
         let scene = block([6, 6], [2.0, 2.0], [4.0, 4.0], elastic(1.0, poisson));
         let mut simulation = start(&scene, &options())?;
@@ -125,7 +125,7 @@ fn swing(
     poisson: f64,
     weighting: Weighting,
     volumetric_strain: VolumetricStrain,
-) -> Result<f64, Unexpected> {
+) -> Result<f64, RowFault> {
     const SIDE: f64 = 8.0;
     const CORNER: f64 = 2.0;
     const SPEED: f64 = 1e-6;
@@ -155,7 +155,7 @@ fn swing(
 }
 
 /// How far the swing is off at each ratio, over its exact value.
-fn off(weighting: Weighting, volumetric_strain: VolumetricStrain) -> Result<[f64; 3], Unexpected> {
+fn off(weighting: Weighting, volumetric_strain: VolumetricStrain) -> Result<[f64; 3], RowFault> {
     let mut all = [0.0; 3];
     for (off, poisson) in all.iter_mut().zip(RATIOS) {
         *off = (swing(poisson, weighting, volumetric_strain)? - 1.0).abs();
@@ -183,7 +183,7 @@ fn as_exact(name: &str, [own, others @ ..]: [f64; 3]) -> Vec<Gate> {
     gates
 }
 
-fn locking(weighting: Weighting) -> Judged {
+fn locking(weighting: Weighting) -> RowVerdict {
     let averaged = off(weighting, VolumetricStrain::CellAverage)?;
     let [own, locked, _] = off(weighting, VolumetricStrain::Particle)?;
     let locked = gate(format!(
@@ -196,7 +196,7 @@ fn locking(weighting: Weighting) -> Judged {
     Ok(Finding::of(as_exact("means over cells", averaged)).and([locked]))
 }
 
-fn smooth_does_not_lock() -> Judged {
+fn smooth_does_not_lock() -> RowVerdict {
     let of = |strain| off(Weighting::QuadraticBSpline, strain);
     let averaged = as_exact("means over cells", of(VolumetricStrain::CellAverage)?);
     let each = as_exact("strain of each particle", of(VolumetricStrain::Particle)?);

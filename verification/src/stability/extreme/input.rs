@@ -116,7 +116,7 @@ fn second(position: Vector, volume: f64) -> Shape {
 ///
 /// # Errors
 /// A scene that is taken, or refused for something else.
-pub fn refused_for(path: &str, scene: &Scene) -> Result<String, Unexpected> {
+pub fn refused_for(path: &str, scene: &Scene) -> Result<String, RowFault> {
     let what = format!("a fault in {path}");
     match scene.simulate(&options()) {
         Err(StartError::Scene(error)) => match error.problems.iter().find(|p| p.path == path) {
@@ -132,13 +132,13 @@ pub fn refused_for(path: &str, scene: &Scene) -> Result<String, Unexpected> {
 }
 
 /// The message of the sound scene with a number put into it.
-fn refused_with(path: &str, put: impl Fn(&mut Scene)) -> Result<String, Unexpected> {
+fn refused_with(path: &str, put: impl Fn(&mut Scene)) -> Result<String, RowFault> {
     let mut scene = full();
     put(&mut scene);
     refused_for(path, &scene)
 }
 
-fn not_finite_input() -> Judged {
+fn not_finite_input() -> RowVerdict {
     // What is refused must be the number, and nothing else of the scene.
     start(&full(), &options())?;
     let mut refusals = vec![];
@@ -155,7 +155,7 @@ fn not_finite_input() -> Judged {
     Ok(Finding::default().refusing(refusals))
 }
 
-fn impossible_constants() -> Judged {
+fn impossible_constants() -> RowVerdict {
     let mut refusals = vec![];
     for (path, values) in IMPOSSIBLE {
         let entries = NUMBERS.iter().chain([&EDGE]);

@@ -30,12 +30,7 @@ impl Left {
     }
 
     /// A run of 500 steps, with a method that has a safe step.
-    fn alone(
-        &mut self,
-        scene: &Scene,
-        initial: &Options,
-        method: Method,
-    ) -> Result<(), Unexpected> {
+    fn alone(&mut self, scene: &Scene, initial: &Options, method: Method) -> Result<(), RowFault> {
         if !method.has_safe_step() {
             return Ok(());
         }
@@ -52,7 +47,7 @@ impl Left {
     }
 }
 
-fn nodes_of_no_mass() -> Judged {
+fn nodes_of_no_mass() -> RowVerdict {
     let mut left = Left::new();
     let mut lightest = gate("mass of the lightest node over that of a full one")
         .at_most(1e-12)
@@ -90,7 +85,7 @@ fn nodes_of_no_mass() -> Judged {
 /// Thickness of a sliver \[cells\].
 const SLIVER: f64 = 1e-6;
 
-fn slivers() -> Judged {
+fn slivers() -> RowVerdict {
     let mut left = Left::new();
     let mut fall = gate("fall beside x + g t²/2, per step [m]")
         .at_most(4e-15)

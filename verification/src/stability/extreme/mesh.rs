@@ -74,13 +74,14 @@ impl Bar {
     /// Share of the first mode in the velocities, times its norm.
     fn mode(&self, simulation: &Simulation) -> f64 {
         let k = PI / self.length();
-        let share =
-            |seen: &Seen| libm::sin(k * seen.position[self.axis]) * seen.velocity[self.axis];
+        let share = |seen: &ParticleState| {
+            libm::sin(k * seen.position[self.axis]) * seen.velocity[self.axis]
+        };
         particles(simulation).iter().map(share).sum()
     }
 
     /// Relative error of a quarter of the period, and the highest energy over that at the start.
-    fn swing(&self, method: Method, [period, grown]: &mut [Gate; 2]) -> Result<(), Unexpected> {
+    fn swing(&self, method: Method, [period, grown]: &mut [Gate; 2]) -> Result<(), RowFault> {
         let mut simulation = start(&with(&self.scene(), method), &self.initial())?;
         let modulus = YOUNG * (1.0 - POISSON) / ((1.0 + POISSON) * (1.0 - 2.0 * POISSON));
         // L/(2c), with a density of 1 kg/m³.
@@ -109,7 +110,7 @@ impl Bar {
 }
 
 /// Swings bars with some methods and takes the worst.
-fn swings(bars: impl IntoIterator<Item = Bar>) -> Judged {
+fn swings(bars: impl IntoIterator<Item = Bar>) -> RowVerdict {
     let kh = PI / LENGTH as f64;
     let mut gates = [
         gate("period of a bar of ten cells, relative error")
@@ -129,7 +130,7 @@ fn swings(bars: impl IntoIterator<Item = Bar>) -> Judged {
     Ok(Finding::of(gates))
 }
 
-fn particles_per_cell() -> Judged {
+fn particles_per_cell() -> RowVerdict {
     let plane = [1, 2, 4, 8].map(|n| (Dimension::Two, n));
     let space = [1, 2, 4].map(|n| (Dimension::Three, n));
     let all = plane.into_iter().chain(space);
@@ -140,7 +141,7 @@ fn particles_per_cell() -> Judged {
     }))
 }
 
-fn aspect() -> Judged {
+fn aspect() -> RowVerdict {
     let all = [
         (Dimension::Two, 0, [1.0, 0.01, 1.0]),
         (Dimension::Two, 1, [1.0, 0.01, 1.0]),
@@ -170,7 +171,7 @@ fn flat(dimension: Dimension) -> Scene {
     scene
 }
 
-fn one_cell_across() -> Judged {
+fn one_cell_across() -> RowVerdict {
     let mut flatter = gate("a cell of space between two walls against plane strain, relative")
         .at_most(1e-12)
         .because("both are plane strain; 40 steps of a hundred roundings each, with a node's mass as little as a hundredth");
@@ -188,7 +189,7 @@ fn one_cell_across() -> Judged {
         .filter(|method| method.has_safe_step())
         .filter(calm);
     for method in methods {
-        let run = |dimension| -> Result<Vec<Seen>, Unexpected> {
+        let run = |dimension| -> Result<Vec<ParticleState>, RowFault> {
             let mut simulation = start(&with(&flat(dimension), method), &initial)?;
             steps(&mut simulation, 40)?;
             Ok(particles(&simulation))
@@ -196,8 +197,8 @@ fn one_cell_across() -> Judged {
         let (plane, space) = (run(Dimension::Two)?, run(Dimension::Three)?);
         for seen in space {
             // Two layers of particles lie over those of the plane.
-            let lateral = |seen: &Seen| [seen.position[0], seen.position[1]];
-            let near = |other: &&Seen| apart(&lateral(other), &lateral(&seen)) < 1e-3;
+            let lateral = |seen: &ParticleState| [seen.position[0], seen.position[1]];
+            let near = |other: &&ParticleState| apart(&lateral(other), &lateral(&seen)) < 1e-3;
             let Some(same) = plane.iter().find(near) else {
                 flatter.see(f64::INFINITY);
                 continue;

@@ -76,12 +76,12 @@ pub struct Extreme {
     /// Why it fails today, where it does: shown beside the row.
     pub cause: Option<&'static str>,
     /// Runs it.
-    pub judge: fn() -> Judged,
+    pub judge: fn() -> RowVerdict,
 }
 
 impl Extreme {
     /// A row by its name and its run, of which no cause of a failure is known.
-    const fn of(name: &'static str, judge: fn() -> Judged) -> Self {
+    const fn of(name: &'static str, judge: fn() -> RowVerdict) -> Self {
         Self {
             name,
             what: "",
@@ -111,10 +111,10 @@ impl Extreme {
 }
 
 /// What a row gave, or what should not have come.
-type Judged = Result<Finding, Unexpected>;
+type RowVerdict = Result<Finding, RowFault>;
 
 /// A gate of a row, or what should not have come.
-type Judgement = Result<Gate, Unexpected>;
+type Judgement = Result<Gate, RowFault>;
 
 /// What a row gave.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -150,15 +150,15 @@ impl Ending {
 
 /// An error that a row should not have met, or a refusal that did not come.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Unexpected(pub String);
+pub struct RowFault(pub String);
 
-impl fmt::Display for Unexpected {
+impl fmt::Display for RowFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.0)
     }
 }
 
-impl std::error::Error for Unexpected {}
+impl std::error::Error for RowFault {}
 
 impl Finding {
     /// What must hold.

@@ -23,7 +23,7 @@ fn light_nodes_act(method: Method) -> bool {
     method.scheme == StressScheme::Usl || method.transfer != TransferKind::Flip
 }
 
-fn translation() -> Judged {
+fn translation() -> RowVerdict {
     let gates = |whose: &str| {
         [
             gate(format!("velocity, relative, {whose}"))
@@ -91,7 +91,7 @@ fn internal_energy(simulation: &Simulation) -> f64 {
     (0..set.len()).map(of).sum::<f64>() + simulation.strain_energy()
 }
 
-fn speeds() -> Judged {
+fn speeds() -> RowVerdict {
     let mut lost = gate("momentum lost, over the sum of its magnitudes")
         .at_most(1e-12)
         .because("weights sum to one and their gradients to zero, so that only round-off of up to 4000 steps is left");

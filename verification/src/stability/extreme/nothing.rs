@@ -14,7 +14,7 @@ pub static ROWS: &[Extreme] = &[
         .must("refused with how much there is; what fits runs, and the body falls as it must"),
 ];
 
-fn no_particles() -> Judged {
+fn no_particles() -> RowVerdict {
     let none = Scene {
         bodies: vec![],
         contacts: vec![],
@@ -62,7 +62,7 @@ fn no_particles() -> Judged {
     Ok(Finding::of([off, ran]).refusing(refusals))
 }
 
-fn empty_mesh() -> Judged {
+fn empty_mesh() -> RowVerdict {
     let small = |cells: usize| {
         let middle = 0.5 * cells as f64;
         block([cells; 2], [middle; 2], [middle + 1.0; 2], soft()).with_gravity([0.0, -0.01])

@@ -52,7 +52,7 @@ fn off_unity(simulation: &Simulation) -> f64 {
     (sum / simulation.mass() - 1.0).abs()
 }
 
-fn one_particle() -> Judged {
+fn one_particle() -> RowVerdict {
     let mut unity = gate("sum of the weights less one")
         .at_most(4.5e-16)
         .because("5d: 4e-16, two last digits of one");
@@ -128,8 +128,8 @@ fn smooth(x: &Vector) -> InitialState {
 
 /// Largest change of velocity, stress and way after some steps, over their scales, where a block is moved along x or y by an
 /// ulp to either side.
-fn change(first: [f64; 2], method: Method, count: u64) -> Result<f64, Unexpected> {
-    let run = |first: [f64; 2]| -> Result<Vec<Seen>, Unexpected> {
+fn change(first: [f64; 2], method: Method, count: u64) -> Result<f64, RowFault> {
+    let run = |first: [f64; 2]| -> Result<Vec<ParticleState>, RowFault> {
         let mut simulation = start(&square(first, 5, method), &from(smooth))?;
         steps(&mut simulation, count)?;
         Ok(particles(&simulation))
@@ -153,7 +153,7 @@ fn change(first: [f64; 2], method: Method, count: u64) -> Result<f64, Unexpected
 const CONTINUOUS: &str = "functions and gradients are continuous: an ulp of 9e-16 of a cell is multiplied by slopes of a few per \
                           cell; 5d: 1e-12";
 
-fn on_nodes() -> Judged {
+fn on_nodes() -> RowVerdict {
     let mut smooth = gate("smooth functions, particles on nodes")
         .at_most(1e-12)
         .because(CONTINUOUS);
@@ -175,7 +175,7 @@ fn on_nodes() -> Judged {
     Ok(Finding::of([smooth, linear]))
 }
 
-fn edge_on_node() -> Judged {
+fn edge_on_node() -> RowVerdict {
     let mut gates = vec![];
     for (scheme, transfer) in SCHEMES.into_iter().flat_map(|s| TRANSFERS.map(|t| (s, t))) {
         let of = |weighting| Method {

@@ -16,7 +16,7 @@ pub(super) use proctor_scene::{
 pub(super) use super::gates::*;
 pub(super) use super::starts::*;
 pub(super) use super::vocabulary::*;
-pub(super) use super::{Extreme, Finding, Judged, Judgement, Unexpected};
+pub(super) use super::{Extreme, Finding, Judgement, RowFault, RowVerdict};
 pub(super) use crate::case::Gate;
 pub(super) use crate::cases::{AT_REST, cuboid, moving, moving_along_x, rectangle, uniaxial};
 pub(super) use crate::settings::Method;

@@ -13,7 +13,7 @@ pub static ROWS: &[Extreme] = &[
 ];
 
 /// Root mean square of the stress less that at the start, over it, in a bar that creeps through a cell.
-fn creep(weighting: Weighting, scheme: StressScheme) -> Result<f64, Unexpected> {
+fn creep(weighting: Weighting, scheme: StressScheme) -> Result<f64, RowFault> {
     const STEPS: u64 = 10_000;
     const STRESS: f64 = -1e-3;
     // Three columns of particles over two cells: the number in a cell changes as they move.
@@ -58,7 +58,7 @@ fn creep(weighting: Weighting, scheme: StressScheme) -> Result<f64, Unexpected> 
     Ok((squares / f64::from(count)).sqrt())
 }
 
-fn creeping() -> Judged {
+fn creeping() -> RowVerdict {
     let mut ratio = gate("noise of the stress, root mean square, of linear functions over that of GIMP")
         .at_least(10.0)
         .because("domains that fill the bar give a uniform stress no force inside it; points that cross a node do at once");
@@ -96,13 +96,13 @@ fn unseen(simulation: &Simulation, cells: usize) -> f64 {
     squares.sum::<f64>().sqrt()
 }
 
-fn null_space() -> Judged {
+fn null_space() -> RowVerdict {
     const CELLS: usize = 8;
     let mut changed = gate("change of the stresses that no node sees, over their norm")
         .at_most(1e-6)
         .because("particles in a cell feel one velocity gradient; a swing of 1e-11 of a cell takes that share of a domain across a face, in \
          each of 5000 steps");
-    let mut kept = Kept::named("free block with stresses that alternate and noise");
+    let mut kept = Conservation::named("free block with stresses that alternate and noise");
     // A bar of one row of cells.
     let mut bar = block(
         [CELLS, 1],

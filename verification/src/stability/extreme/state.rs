@@ -17,7 +17,7 @@ const FAULTS: [fn(&mut InitialState, f64); 3] = [
 /// A place of a particle of the block below \[m\].
 const FAULTY: [f64; 2] = [3.75, 3.25];
 
-fn not_finite_state() -> Judged {
+fn not_finite_state() -> RowVerdict {
     let mut late = gate("values that are not finite and did not stop the run in their step")
         .none()
         .because("what is not finite spreads to all neighbours in a step, so that the step must be the last");
@@ -53,7 +53,7 @@ fn not_finite_state() -> Judged {
 
 /// The message of a force that becomes NaN, which stops the run in that step; the state saved before goes on without it to
 /// the same bits.
-fn goes_on_from_before(scene: &Scene, late: &mut Gate) -> Result<String, Unexpected> {
+fn goes_on_from_before(scene: &Scene, late: &mut Gate) -> Result<String, RowFault> {
     let what = method(scene);
     let run = |sick: bool| {
         let mut options = options();

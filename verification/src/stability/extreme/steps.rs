@@ -24,7 +24,7 @@ const WAYS: [[f64; 3]; 5] = [
 /// Edge of the mesh \[m\].
 const EDGE: f64 = 10.0;
 
-fn domain_exit() -> Judged {
+fn domain_exit() -> RowVerdict {
     let mut misplaced = gate("exits told of a wrong body, place or step")
         .none()
         .because(
@@ -87,7 +87,7 @@ fn blown_up(method: Method, time_step: TimeStep) -> Scene {
         .with_time_step(time_step)
 }
 
-fn step_too_long() -> Judged {
+fn step_too_long() -> RowVerdict {
     let mut latest = gate("steps until the blow-up is told")
         .at_most(MOST as f64)
         .because("5d: within 100 steps");

@@ -50,14 +50,14 @@ fn mortar(enforcement: Enforcement, ratio: f64, friction: f64) -> Scene {
     scene
 }
 
-fn stiff_mortar(scheme: StressScheme, ratio: f64) -> Judged {
+fn stiff_mortar(scheme: StressScheme, ratio: f64) -> RowVerdict {
     let mut unbalanced = gate("sum of the forces on both, over the largest push")
         .at_most(1e-12)
         .because("what nodes of the one get the nodes of the other give; sums over many vertices");
     let mut left = gate("energy after the collision over that before it")
         .at_most(1.1)
         .because("the blocks have parted and nothing did work; what swings in them is seen with speeds half a step late");
-    let mut kept = Kept::named("collision");
+    let mut kept = Conservation::named("collision");
     let mut slowest = gate("speed at which they part over that at which they met")
         .at_least(f64::MIN_POSITIVE)
         .because("elastic bodies part again");
@@ -89,7 +89,7 @@ fn stiff_mortar(scheme: StressScheme, ratio: f64) -> Judged {
 }
 
 /// Runs collisions with steps that resolve everything.
-fn resolved(transfer: TransferKind) -> Judged {
+fn resolved(transfer: TransferKind) -> RowVerdict {
     // The gap closes in 2 s, waves go through a block and back in 7 s.
     const END: f64 = 15.0;
     let mut left = gate("energy after the collision over that before it")
@@ -98,7 +98,7 @@ fn resolved(transfer: TransferKind) -> Judged {
     let mut pressed = gate("energy that contact still stores, over that of the start")
         .at_most(0.0)
         .because("the blocks have parted");
-    let mut kept = Kept::named("collision");
+    let mut kept = Conservation::named("collision");
     kept.drift.name = String::from("change of momentum, over the momentum in all directions");
     for enforcement in [Enforcement::Barrier, Enforcement::Penalty] {
         let scene = mortar(enforcement, 1e4, 0.0)
@@ -114,7 +114,7 @@ fn resolved(transfer: TransferKind) -> Judged {
     Ok(Finding::of([kept.drift, pressed, left]))
 }
 
-fn stiff_penalty() -> Judged {
+fn stiff_penalty() -> RowVerdict {
     let cube = [[2.5, 2.5, 2.1], [4.5, 4.5, 4.1]];
     let at = |x: f64, y: f64| [x, y, 1.8];
     let plane = [

@@ -20,7 +20,7 @@ pub static ROWS: &[Extreme] = &[
 
 /// Collisions of bodies that nothing else holds, and what the worst of several must keep.
 struct Collisions {
-    kept: Kept,
+    kept: Conservation,
     unbalanced: Gate,
     pull: Gate,
     push: Gate,
@@ -29,7 +29,7 @@ struct Collisions {
 impl Collisions {
     fn new() -> Self {
         Self {
-            kept: Kept::named("collision"),
+            kept: Conservation::named("collision"),
             unbalanced: gate("sum of the forces on all bodies, over the largest push")
                 .at_most(1e-13)
                 .because("the force on the one is that on the other, with its sign"),
@@ -43,12 +43,7 @@ impl Collisions {
     }
 
     /// Runs one; `direction` is that in which contact pushes the second body.
-    fn run(
-        &mut self,
-        scene: &Scene,
-        time: f64,
-        direction: Vector,
-    ) -> Result<Simulation, Unexpected> {
+    fn run(&mut self, scene: &Scene, time: f64, direction: Vector) -> Result<Simulation, RowFault> {
         let mut simulation = self.kept.start(scene, &options())?;
         let [mut unbalanced, mut pull, mut push] = [0.0; 3];
         run_to(&mut simulation, time, |s, _| {
@@ -80,7 +75,7 @@ fn sum_of_forces(simulation: &Simulation) -> f64 {
     apart(&sum, &[0.0; 3])
 }
 
-fn mass_ratio() -> Judged {
+fn mass_ratio() -> RowVerdict {
     const SPEED: f64 = 0.02;
     const RATIO: f64 = 1e6;
     let mut collisions = Collisions::new();
@@ -106,7 +101,7 @@ fn mass_ratio() -> Judged {
     Ok(collisions.finding().and([slowest]))
 }
 
-fn one_node() -> Judged {
+fn one_node() -> RowVerdict {
     const SPEED: f64 = 0.02;
     let mut collisions = Collisions::new();
     let mut mirrored = gate("mean velocities against those of the mirror image, over the speed")
@@ -177,8 +172,8 @@ fn wedges(scheme: StressScheme, speed: f64, exchanged: bool) -> Scene {
 const GATHER: f64 = 0.01;
 const WATCHED: f64 = 40.0;
 
-fn ten_bodies() -> Judged {
-    let mut kept = Kept::named("run together");
+fn ten_bodies() -> RowVerdict {
+    let mut kept = Conservation::named("run together");
     let mut unbalanced = gate("sum of the forces on all bodies, over the largest")
         .at_most(1e-13)
         .because("the force on the one is that on the other, with its sign")
@@ -211,7 +206,7 @@ fn ten_bodies() -> Judged {
     Ok(Finding::of(kept.gates()).and([unbalanced, push, middle]))
 }
 
-fn ten_bodies_mirrored() -> Judged {
+fn ten_bodies_mirrored() -> RowVerdict {
     let mut mirrored = gate("mean places against the mirror image, over a cell")
         .at_most(1e-9)
         .because(
@@ -222,7 +217,7 @@ fn ten_bodies_mirrored() -> Judged {
             .at_most(1e-9)
             .because("the mean of both normals is the same, whichever body is called the master");
     for scheme in SCHEMES {
-        let places = |names: bool| -> Result<Vec<Vector>, Unexpected> {
+        let places = |names: bool| -> Result<Vec<Vector>, RowFault> {
             let mut simulation = start(&wedges(scheme, GATHER, names), &options())?;
             to_time(&mut simulation, WATCHED)?;
             let all = 0..COUNT;

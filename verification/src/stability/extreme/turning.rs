@@ -63,7 +63,7 @@ fn angular_momentum(simulation: &Simulation) -> f64 {
     (0..set.len()).map(of).sum()
 }
 
-fn ten_turns() -> Judged {
+fn ten_turns() -> RowVerdict {
     let time = TURNS * TAU * RADIUS / RIM;
     // In plane strain the mean of sigma_rr + sigma_tt is rho (omega R)²/2.
     let centrifugal = (1.0 + POISSON) * (1.0 - 2.0 * POISSON) * RIM * RIM / 2.0;
@@ -77,7 +77,7 @@ fn ten_turns() -> Judged {
     let mut skew = gate("free disc: a quarter turn of it against itself, over a cell")
         .at_most(1e-8)
         .because("disc and mesh are the same after a quarter turn; round-off of 2e4 steps, which the turns carry along");
-    let mut kept = Kept::named("free disc");
+    let mut kept = Conservation::named("free disc");
     let left = Weighting::ContiguousGimp(DomainUpdate::LeftStretch);
     for scene in each_scheme(
         &disc(TransferKind::Apic),
@@ -101,7 +101,7 @@ fn ten_turns() -> Judged {
     Ok(turned.and(kept.gates()).and([spin, skew, wide]))
 }
 
-fn ten_turns_flip() -> Judged {
+fn ten_turns_flip() -> RowVerdict {
     let time = TURNS * TAU * RADIUS / RIM;
     let mut unsaid = gate("angular momentum lost in ten turns of which nothing was said")
         .at_most(0.1)

@@ -182,8 +182,8 @@ pub fn always(velocity: Vector) -> History {
 }
 
 /// An error where none should be.
-pub fn unexpected(what: impl fmt::Display, error: impl fmt::Display) -> Unexpected {
-    Unexpected(format!("{what}: {error}"))
+pub fn unexpected(what: impl fmt::Display, error: impl fmt::Display) -> RowFault {
+    RowFault(format!("{what}: {error}"))
 }
 
 /// The method of a scene in words.
@@ -195,7 +195,7 @@ pub fn method(scene: &Scene) -> String {
 ///
 /// # Errors
 /// Why it does not start.
-pub fn start(scene: &Scene, options: &Options) -> Result<Simulation, Unexpected> {
+pub fn start(scene: &Scene, options: &Options) -> Result<Simulation, RowFault> {
     let refused = |error| unexpected(method(scene) + ": refused", error);
     scene.simulate(options).map_err(refused)
 }
@@ -204,7 +204,7 @@ pub fn start(scene: &Scene, options: &Options) -> Result<Simulation, Unexpected>
 ///
 /// # Errors
 /// The error of the step, with the method.
-pub fn step(simulation: &mut Simulation, stop: f64) -> Result<StepInfo, Unexpected> {
+pub fn step(simulation: &mut Simulation, stop: f64) -> Result<StepInfo, RowFault> {
     let stepped = simulation.step(stop);
     stepped.map_err(|error| unexpected(method(simulation.scene()), error))
 }
@@ -213,7 +213,7 @@ pub fn step(simulation: &mut Simulation, stop: f64) -> Result<StepInfo, Unexpect
 ///
 /// # Errors
 /// The first that fails.
-pub fn steps(simulation: &mut Simulation, count: u64) -> Result<(), Unexpected> {
+pub fn steps(simulation: &mut Simulation, count: u64) -> Result<(), RowFault> {
     for _ in 0..count {
         step(simulation, NEVER)?;
     }
@@ -228,7 +228,7 @@ pub fn each_of(
     simulation: &mut Simulation,
     count: u64,
     mut look: impl FnMut(&Simulation, &StepInfo),
-) -> Result<(), Unexpected> {
+) -> Result<(), RowFault> {
     for _ in 0..count {
         let info = step(simulation, f64::INFINITY)?;
         look(simulation, &info);
@@ -240,7 +240,7 @@ pub fn each_of(
 ///
 /// # Errors
 /// The first step that fails.
-pub fn to_time(simulation: &mut Simulation, time: f64) -> Result<(), Unexpected> {
+pub fn to_time(simulation: &mut Simulation, time: f64) -> Result<(), RowFault> {
     run_to(simulation, time, |_, _| ())
 }
 
@@ -252,7 +252,7 @@ pub fn run_to(
     simulation: &mut Simulation,
     time: f64,
     mut look: impl FnMut(&Simulation, &StepInfo),
-) -> Result<(), Unexpected> {
+) -> Result<(), RowFault> {
     while simulation.time() < time {
         let info = step(simulation, time)?;
         look(simulation, &info);
@@ -264,7 +264,7 @@ pub fn run_to(
 ///
 /// # Errors
 /// The balance that is off.
-pub fn trusted(simulation: &Simulation) -> Result<(), Unexpected> {
+pub fn trusted(simulation: &Simulation) -> Result<(), RowFault> {
     let doubt = simulation.invariants().violation;
     let doubted = |violation| {
         unexpected(
@@ -289,7 +289,7 @@ pub fn refused(
     scene: &Scene,
     options: &Options,
     known: impl Fn(&SetupError) -> Option<String>,
-) -> Result<String, Unexpected> {
+) -> Result<String, RowFault> {
     match scene.simulate(options) {
         Err(StartError::Setup(error)) => {
             known(&error).ok_or_else(|| unexpected(what, format!("is called {error}")))
@@ -311,14 +311,14 @@ pub fn removed(simulation: &Simulation) -> impl Iterator<Item = &ParticleAt> {
 }
 
 /// A particle as it is read of a simulation.
-pub struct Seen {
+pub struct ParticleState {
     pub id: u64,
     pub position: Vector,
     pub velocity: Vector,
     pub stress: [f64; 6],
 }
 
-impl Seen {
+impl ParticleState {
     /// All its numbers.
     pub fn numbers(&self) -> impl Iterator<Item = f64> + '_ {
         let vectors = self.position.iter().chain(&self.velocity);
@@ -327,10 +327,10 @@ impl Seen {
 }
 
 /// All particles in order of the identifier.
-pub fn particles(simulation: &Simulation) -> Vec<Seen> {
+pub fn particles(simulation: &Simulation) -> Vec<ParticleState> {
     let mut all = vec![];
     for (set, columns) in simulation.sets().iter().enumerate() {
-        all.extend((0..columns.len()).map(|p| Seen {
+        all.extend((0..columns.len()).map(|p| ParticleState {
             id: columns.id[p],
             position: simulation.position(set, p),
             velocity: columns.velocity(p),
@@ -363,7 +363,11 @@ pub fn apart<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
 }
 
 /// The same of all particles of two lists, of what is read of each.
-pub fn all_apart<const N: usize>(a: &[Seen], b: &[Seen], of: fn(&Seen) -> [f64; N]) -> f64 {
+pub fn all_apart<const N: usize>(
+    a: &[ParticleState],
+    b: &[ParticleState],
+    of: fn(&ParticleState) -> [f64; N],
+) -> f64 {
     largest(a.iter().zip(b).map(|(a, b)| apart(&of(a), &of(b))))
 }
 
@@ -419,11 +423,11 @@ pub fn off_by_a_quarter_turn(simulation: &Simulation, [a, b]: [f64; 2], scale: f
 ///
 /// # Errors
 /// A rung that could not be solved.
-pub fn of_case(case: &Case) -> Result<Vec<Gate>, Unexpected> {
+pub fn of_case(case: &Case) -> Result<Vec<Gate>, RowFault> {
     let mut solved = vec![];
     for rung in case.rungs(Size::Quick) {
         let found = case.solve(&rung, &options(), &mut |_| ());
-        solved.push((rung, found.map_err(|error| Unexpected(error.to_string()))?));
+        solved.push((rung, found.map_err(|error| RowFault(error.to_string()))?));
     }
     let named = |gate: Gate| Gate {
         name: format!("{}: {}", case.name(), gate.name),

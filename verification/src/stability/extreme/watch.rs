@@ -21,7 +21,7 @@ const MOST: u64 = 2000;
 type Run = (Scene, Options);
 
 /// Runs until the watch stops it; `None` where it does not within so many steps.
-fn watched((scene, initial): &Run, most: u64) -> Result<Option<Violation>, Unexpected> {
+fn watched((scene, initial): &Run, most: u64) -> Result<Option<Violation>, RowFault> {
     let mut scene = scene.clone();
     scene.on_imbalance = OnImbalance::Stop;
     let mut simulation = start(&scene, initial)?;
@@ -36,7 +36,7 @@ fn watched((scene, initial): &Run, most: u64) -> Result<Option<Violation>, Unexp
 }
 
 /// What the watch says of a run that goes wrong.
-fn stopped(run: &Run, reasons: &[Invariant], most: u64) -> Result<String, Unexpected> {
+fn stopped(run: &Run, reasons: &[Invariant], most: u64) -> Result<String, RowFault> {
     let name = method(&run.0);
     match watched(run, most)? {
         Some(violation) if reasons.contains(&violation.reason) => {
@@ -79,7 +79,7 @@ fn squeezed(scheme: StressScheme, dt: f64) -> Run {
     (scene, options())
 }
 
-fn too_long() -> Judged {
+fn too_long() -> RowVerdict {
     // Twice of what is below the bound of 0.44 of USL, and of 1.3 of the others.
     let too_long = |scheme| {
         if scheme == StressScheme::Usl {
@@ -127,7 +127,7 @@ fn swinging(weighting: Weighting, scheme: StressScheme) -> Run {
     )
 }
 
-fn crossing() -> Judged {
+fn crossing() -> RowVerdict {
     let (scene, swings) = swinging(Weighting::Linear, StressScheme::Usf);
     // 2.6 times the step that the kernel would take.
     let crossing = (scene.with_time_step(unstable(multiple(0.56))), swings);

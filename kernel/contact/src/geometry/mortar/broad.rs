@@ -46,15 +46,15 @@ pub struct NearElements<const D: usize> {
     /// Element of the slave and element of the master, ascending.
     pub pairs: Vec<[usize; 2]>,
     /// Elements of the slave near the master, ascending, and those of the master near them, along an axis.
-    slaves: Vec<Boxed<D>>,
-    masters: Vec<Boxed<D>>,
+    slaves: Vec<ElementBox<D>>,
+    masters: Vec<ElementBox<D>>,
     axis: usize,
     /// Longest extent of a box of the master along the axis \[m\].
     widest: f64,
 }
 
 /// An element in its box.
-pub type Boxed<const D: usize> = (usize, Bounds<D>);
+pub type ElementBox<const D: usize> = (usize, Bounds<D>);
 
 impl<const D: usize> NearElements<D> {
     /// Finds the elements of the slave and those of the master that come within `reach` \[m\] of their box.
@@ -106,12 +106,12 @@ impl<const D: usize> NearElements<D> {
 
     /// The elements of the slave that [`NearElements::look`] found.
     #[must_use]
-    pub fn slaves(&self) -> &[Boxed<D>] {
+    pub fn slaves(&self) -> &[ElementBox<D>] {
         &self.slaves
     }
 
     /// Adds the pairs of some of these.
-    pub fn pairs_of(&self, slaves: &[Boxed<D>], pairs: &mut Vec<[usize; 2]>) {
+    pub fn pairs_of(&self, slaves: &[ElementBox<D>], pairs: &mut Vec<[usize; 2]>) {
         let (axis, widest) = (self.axis, self.widest);
         for (s, bounds) in slaves {
             let first = self
@@ -144,7 +144,7 @@ pub fn by_slave(pairs: &[[usize; 2]]) -> impl Iterator<Item = &[[usize; 2]]> {
 fn boxes<const D: usize, const T: usize>(
     boundary: &impl Elements<D, T>,
     margin: f64,
-) -> impl Iterator<Item = Boxed<D>> {
+) -> impl Iterator<Item = ElementBox<D>> {
     let points = boundary.points();
     let margin = PointIn::repeat(margin);
     boundary

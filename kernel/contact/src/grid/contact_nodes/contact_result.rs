@@ -18,7 +18,7 @@ pub(crate) struct ContactResult {
     /// The node where a pair approaches by most over its distance of contact in one step, if by more than that.
     pub tunnelling: Option<NodeTunnelling>,
     /// Where each pair overlaps deepest, if by more than [`DEEP`].
-    pub overlaps: Vec<Option<Overlapped>>,
+    pub overlaps: Vec<Option<Overlap>>,
 }
 
 /// Share of a cell from which an overlap is an event: contact lets bodies into each other by no more than round-off and what
@@ -27,7 +27,7 @@ pub(crate) const DEEP: f64 = 0.25;
 
 /// A pair whose bodies overlap.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Overlapped {
+pub(crate) struct Overlap {
     /// Storage indices of the node.
     pub at: [usize; 3],
     /// Depth \[m\].
@@ -98,7 +98,7 @@ impl ContactResult {
             let deepest = overlap.map_or(0.0, |o| o.depth);
             let across: f64 = (0..3).map(|axis| (n[axis] * cell[axis]).powi(2)).sum();
             if depth > deepest.max(DEEP * across.sqrt()) {
-                *overlap = Some(Overlapped { at, depth });
+                *overlap = Some(Overlap { at, depth });
             }
         }
     }

@@ -15,14 +15,14 @@ const BLOCK: usize = 1 << 20;
 const VTK_VERTEX: u8 = 1;
 
 /// The arrays that follow the XML, in the order in which they were declared.
-pub(super) struct Appended<'a> {
+pub(super) struct AppendedArrays<'a> {
     compression: Compression,
     blocks: Vec<AppendedArray<'a>>,
     /// Bytes from the underscore that opens the section to where the next array starts.
     offset: usize,
 }
 
-impl<'a> Appended<'a> {
+impl<'a> AppendedArrays<'a> {
     pub(super) fn new(compression: Compression) -> Self {
         Self {
             compression,

@@ -11,7 +11,7 @@ use std::path::Path;
 
 mod appended;
 
-use self::appended::{Appended, Values};
+use self::appended::{AppendedArrays, Values};
 use super::{OutputError, atomic};
 
 /// The particles at one time.
@@ -191,7 +191,7 @@ fn fill(file: &mut dyn Write, frame: &Frame, compression: Compression) -> io::Re
     } else {
         "PolyData"
     };
-    let mut appended = Appended::new(compression);
+    let mut appended = AppendedArrays::new(compression);
     write!(
         file,
         "<?xml version=\"1.0\"?>\n\

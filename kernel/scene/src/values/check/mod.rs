@@ -16,7 +16,7 @@ mod water;
 use self::collector::Collector;
 use crate::values::{Scene, SceneError};
 use proctor_geometry::number::Number;
-use proctor_kernel::laws::{Accepted, ConstantDefault};
+use proctor_kernel::laws::{ConstantDefault, ConstantRange};
 use proctor_kernel::layout::Variable;
 use proctor_kernel::model::{
     Damping, Dimension, PlaneCondition, TimeStep, VolumetricStrain, Weighting,
@@ -198,7 +198,7 @@ impl Scene {
                 let value = *value;
                 let path = format!("{path}.{}", constant.key);
                 match constant.accepted {
-                    Accepted::Positive => problems.positive(path, value, constant.unit),
+                    ConstantRange::Positive => problems.positive(path, value, constant.unit),
                     accepted if accepted.holds(value) => {}
                     _ => problems.add(path, Number(value).to_string(), constant.words()),
                 }
