@@ -12,7 +12,7 @@
 //! and nothing of simulations; [`run`] drives a simulation from output time to output time and hands its state over.
 //!
 //! The kernel knows nothing of this package. What a checkpoint holds it gives as one plain value,
-//! [`SavedState`](proctor_scene::simulation::Saved), and everything else through what any user of the library can ask.
+//! [`SavedState`](proctor_scene::simulation::SavedState), and everything else through what any user of the library can ask.
 //!
 //! ```
 //! use proctor_files::json;
