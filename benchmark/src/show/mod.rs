@@ -318,7 +318,7 @@ mod tests {
 
     #[test]
     fn long_sentences_end_after_a_word() {
-        let sentence = "difference from the closed form over the stress";
+        let sentence = "stress less that of the closed form, over it";
         assert_eq!(in_words(sentence, 32), "stress less that of the closed …");
         assert_eq!(in_words(sentence, 31), "stress less that of the …");
         assert_eq!(in_words("short", 5), "short");
