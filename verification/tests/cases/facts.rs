@@ -133,14 +133,14 @@ fn a_disk_that_does_not_creep_breaks_the_gate_on_the_turn() {
     let turn = run
         .quantities
         .iter_mut()
-        .find(|q| q.name.starts_with("turn"));
+        .find(|q| q.name.starts_with("rotation"));
     let turn = turn.expect("its turn");
     let creeping = turn.exact.expect("known");
     turn.value = 1.0;
     turn.error = Some((turn.value / creeping - 1.0).abs());
     let failing = failing(&ROLLING_DISK.judge(Size::Quick, &solved));
     assert_eq!(failing.len(), 1, "{failing:?}");
-    assert!(failing[0].starts_with("stick") && failing[0].contains("turn"));
+    assert!(failing[0].starts_with("stick") && failing[0].contains("rotation"));
 }
 
 /// The two starts are different: at once the error falls with the first power of the step, staggered with the second.
