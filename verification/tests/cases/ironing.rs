@@ -101,7 +101,9 @@ fn friction_is_told_from_none() {
                     "{failing:?}"
                 );
             }
-            let added = failing.iter().filter(|line| line.contains("increase by friction"));
+            let added = failing
+                .iter()
+                .filter(|line| line.contains("increase by friction"));
             assert_eq!(added.count(), 3, "{failing:?}");
         }
     }
