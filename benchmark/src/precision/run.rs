@@ -51,7 +51,7 @@ impl CaseStudy {
         Some(self.runs.get(run)?.minimum_and_median(time)?[0])
     }
 
-    /// What [`CaseStudy::seconds`] measures, in words.
+    /// The measure of [`CaseStudy::seconds`], in words.
     #[must_use]
     pub fn seconds_words(&self) -> &'static str {
         if self.threads == 1 {

@@ -9,9 +9,9 @@ pub struct Choice {
     pub key: &'static str,
     /// Words.
     pub words: &'static [&'static str],
-    /// What is chosen.
+    /// Meaning of the choice.
     pub meaning: &'static str,
-    /// What is wrong with the key where another law, `{law}`, stands.
+    /// Message for the key where another law, `{law}`, stands.
     pub elsewhere: &'static str,
 }
 
@@ -19,7 +19,7 @@ pub struct Choice {
 pub trait Readable: Law {
     /// The word of scene files.
     const NAME: &'static str;
-    /// What it is for, in a few words.
+    /// Purpose, in a few words.
     const MEANING: &'static str;
     /// Words that it may be given.
     const CHOICES: &'static [Choice] = &[];
@@ -42,7 +42,7 @@ pub trait Readable: Law {
 pub struct LawType {
     /// The word of scene files.
     pub name: &'static str,
-    /// What it is for, in a few words.
+    /// Purpose, in a few words.
     pub meaning: &'static str,
     /// Numbers that it needs.
     pub constants: &'static [Constant],

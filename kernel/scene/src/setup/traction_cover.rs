@@ -21,7 +21,7 @@ const STAIRCASE: f64 = 3.0;
 /// Cells around a rectangle in which there are particles that reach its nodes.
 const REACH: f64 = 4.0;
 
-/// Whether bodies carry every traction of the scene.
+/// Check that bodies carry every traction of the scene.
 ///
 /// # Errors
 /// [`SetupError::Load`] by the path of a traction that lies over no body or only partly over one, or that acts on a node

@@ -71,7 +71,7 @@ fn torn_apart() -> RowVerdict {
     let mut pulled = gate("uGIMP: change of velocity of what has parted, over that of the ends")
         .at_most(ROUND_OFF)
         .because("no node is in reach of two particles, and none acts on itself");
-    let mut late = gate("cpGIMP: stretches at which a wider stencil and the stop are told, less 2 and 4")
+    let mut late = gate("cpGIMP: stretches at which a wider stencil and the stop are reported, less 2 and 4")
         .at_most(0.1)
         .because("half-lengths of a quarter of a cell are half a cell at a stretch of 2 and a cell at 4; in the middle of the bar \
              velocities stay linear but for the noise of few particles in a cell");

@@ -96,7 +96,7 @@ impl Falls {
         Ok(())
     }
 
-    /// What must hold.
+    /// The condition that must hold.
     pub(super) fn gates(self) -> [Gate; 5] {
         [self.pushed, self.lost, self.pull, self.sideways, self.grown]
     }

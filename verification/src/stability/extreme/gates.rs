@@ -109,7 +109,7 @@ impl Conservation {
         self.grown.see(energy(simulation) / self.energy);
     }
 
-    /// What must hold.
+    /// The condition that must hold.
     pub fn gates(self) -> [Gate; 2] {
         [self.drift, self.grown]
     }

@@ -85,7 +85,7 @@ const NUMBERS: &[Entry] = entries! {
 /// An edge of a cell.
 const EDGE: Entry = Entry("mesh.cells_dimension[0]", |s, x| s.mesh.cell[0] = x);
 
-/// What no constant may be but Poisson's ratio.
+/// A value that no constant but Poisson's ratio may have.
 const NOT_POSITIVE: &[f64] = &[0.0, -0.0, -1.0];
 
 /// Fields with their impossible values.

@@ -51,7 +51,7 @@ fn nodes_of_no_mass() -> RowVerdict {
     let mut left = Left::new();
     let mut lightest = gate("mass of the lightest node over that of a full one")
         .at_most(1e-12)
-        .because("so that the scene is what it is said to be");
+        .because("so that the scene is what it claims to be");
     let mut flip = gate("fastest node over fastest particle, components, FLIP")
         .at_most(1.0 + 1e-14)
         .because("the velocity of a node is a mean of those of its particles, however light it is");

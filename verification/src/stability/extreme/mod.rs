@@ -69,9 +69,9 @@ pub fn all() -> Vec<&'static Extreme> {
 pub struct Extreme {
     /// Name on the command line: lower case, words joined by `-`.
     pub name: &'static str,
-    /// What is extreme in it.
+    /// Its extreme feature.
     pub what: &'static str,
-    /// What a good code must do.
+    /// The behaviour of a good code.
     pub required: &'static str,
     /// Why it fails today, where it does: shown beside the row.
     pub cause: Option<&'static str>,
@@ -91,12 +91,12 @@ impl Extreme {
         }
     }
 
-    /// What is extreme in it.
+    /// Its extreme feature.
     const fn with(self, what: &'static str) -> Self {
         Self { what, ..self }
     }
 
-    /// What a good code must do.
+    /// The behaviour of a good code.
     const fn must(self, required: &'static str) -> Self {
         Self { required, ..self }
     }
@@ -110,7 +110,7 @@ impl Extreme {
     }
 }
 
-/// What a row gave, or what should not have come.
+/// Result of a row, or what should not have come.
 type RowVerdict = Result<Finding, RowFault>;
 
 /// A gate of a row, or what should not have come.
@@ -161,7 +161,7 @@ impl fmt::Display for RowFault {
 impl std::error::Error for RowFault {}
 
 impl Finding {
-    /// What must hold.
+    /// The condition that must hold.
     fn of(gates: impl IntoIterator<Item = Gate>) -> Self {
         Self::default().and(gates)
     }

@@ -10,7 +10,7 @@ pub static ROWS: &[Extreme] = &[
         .must("an error with particle, place and step; or removal with a ledger of the mass"),
     Extreme::of("step-too-long", step_too_long)
         .with("time steps of ten times h/(c + |v|)")
-        .must("refused; on request the blow-up is told within 100 steps"),
+        .must("refused; on request the blow-up is reported within 100 steps"),
 ];
 
 /// Velocities through each side of a mesh of ten cells per axis \[m/s\].
@@ -88,7 +88,7 @@ fn blown_up(method: Method, time_step: TimeStep) -> Scene {
 }
 
 fn step_too_long() -> RowVerdict {
-    let mut latest = gate("steps until the blow-up is told")
+    let mut latest = gate("steps until the blow-up is reported")
         .at_most(MOST as f64)
         .because("5d: within 100 steps");
     let mut told = [
@@ -154,7 +154,7 @@ fn step_too_long() -> RowVerdict {
     Ok(Finding::of([latest]).and(told).refusing(refusals))
 }
 
-/// Whether an error says that a particle went wrong: it left, turned inside out or is no number any more.
+/// True for an error of a particle that went wrong: it left, turned inside out or is no number any more.
 fn is_blow_up(kind: &StepErrorKind) -> bool {
     matches!(
         kind,

@@ -63,7 +63,7 @@ fn stiff_mortar(scheme: StressScheme, ratio: f64) -> RowVerdict {
         .because("elastic bodies part again");
     let mut warnings = gate("warnings of the plan")
         .at_least(1.0)
-        .because("contact that is stiffer than the cells behind it is told before it runs");
+        .because("contact that is stiffer than the cells behind it is reported before it runs");
     for enforcement in [Enforcement::Barrier, Enforcement::Penalty] {
         for friction in [0.0, 0.3] {
             let scene = mortar(enforcement, ratio, friction).with_scheme(scheme);

@@ -405,7 +405,7 @@ pub fn scale_of_speeds(simulation: &Simulation) -> f64 {
     })
 }
 
-/// How far the nearest particle is from where a quarter turn about a point brings each, over `scale` \[m\].
+/// Distance of the nearest particle from where a quarter turn about a point brings each, over `scale` \[m\].
 pub fn off_by_a_quarter_turn(simulation: &Simulation, [a, b]: [f64; 2], scale: f64) -> f64 {
     let places: Vec<Vector> = (0..simulation.particles())
         .map(|p| simulation.position(0, p))

@@ -35,7 +35,7 @@ fn watched((scene, initial): &Run, most: u64) -> Result<Option<Violation>, RowFa
     }
 }
 
-/// What the watch says of a run that goes wrong.
+/// Messages of the watch about a run that goes wrong.
 fn stopped(run: &Run, reasons: &[Invariant], most: u64) -> Result<String, RowFault> {
     let name = method(&run.0);
     match watched(run, most)? {
