@@ -26,6 +26,16 @@ fn judged(desk: &Desk, arguments: &[&str]) -> Output {
     command.output().expect("bash runs")
 }
 
+/// One run of a case by the executables of a configuration, whose name follows.
+const STEP_BAR: [&str; 6] = [
+    "precision",
+    "step-bar",
+    "--quick",
+    "--repetitions",
+    "1",
+    "--executables",
+];
+
 /// A solver that takes another Young's modulus in all but the free fall.
 fn softer(desk: &Desk, young: &str) {
     let script = format!(
@@ -95,16 +105,7 @@ fn a_warm_up_is_a_run_of_each_scene_more() {
         ]);
         let guest = json!({ "command": command, "warm_up": warm_up });
         let config = desk.scene("guests.json", &json!({ "executables": { "jit": guest } }));
-        let arguments = [
-            "precision",
-            "step-bar",
-            "--quick",
-            "--repetitions",
-            "1",
-            "--executables",
-            &config,
-        ];
-        let output = proctor(&arguments);
+        let output = proctor(&[&STEP_BAR[..], &[&config]].concat());
         assert_eq!(code(&output), 0, "{}{}", stdout(&output), stderr(&output));
         let log = fs::read_to_string(&log).expect("runs");
         log.lines()
@@ -164,17 +165,7 @@ fn runs_are_told_in_eighty_columns_and_tractions_lie_beside_loads_on_nodes() {
         &json!({ "executables": { "same": env!("CARGO_BIN_EXE_proctor") } }),
     );
     let keep = desk.name("kept");
-    let output = proctor(&[
-        "precision",
-        "step-bar",
-        "--quick",
-        "--repetitions",
-        "1",
-        "--executables",
-        &config,
-        "--keep",
-        &keep,
-    ]);
+    let output = proctor(&[&STEP_BAR[..], &[&config, "--keep", &keep]].concat());
     assert_eq!(code(&output), 0, "{}", stderr(&output));
     let tractions = found(&desk.path("kept/step-bar"), "tractions.csv");
     assert_eq!(tractions.len(), 3);

@@ -20,7 +20,7 @@ const FAULTY: [f64; 2] = [3.75, 3.25];
 fn not_finite_state() -> RowVerdict {
     let mut late = gate("values that are not finite and did not stop the run in their step")
         .none()
-        .because("what is not finite spreads to all neighbours in a step, so that the step must be the last");
+        .because("a value that is not finite reaches all neighbours in one step, so that the step must be the last");
     let mut refusals = vec![];
     for method in methods() {
         let scene = with(&block([8, 8], [2.5, 2.5], [5.5, 5.5], soft()), method);

@@ -352,7 +352,7 @@ pub fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
     })
 }
 
-/// The larger of two, or what is not a number.
+/// The larger of two numbers; NaN if one of them is NaN.
 pub fn worst(a: f64, b: f64) -> f64 {
     if b > a || b.is_nan() { b } else { a }
 }
