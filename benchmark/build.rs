@@ -4,7 +4,7 @@ use std::env;
 use std::path::Path;
 use std::process::Command;
 
-/// What decides the machine code, below the folder of the workspace. The commit of a binary is that of these.
+/// Sources that decide the machine code, below the folder of the workspace. The commit of a binary is that of these.
 const SOURCES: [&str; 9] = [
     "Cargo.toml",
     "Cargo.lock",
@@ -55,7 +55,7 @@ fn tell(key: &str, value: &str) {
     println!("cargo::rustc-env=PROCTOR_{key}={value}");
 }
 
-/// What git prints of the workspace; `None` without git or without a repository.
+/// Output of git on the workspace; `None` without git or without a repository.
 fn git(arguments: &[&str]) -> Option<String> {
     output(Command::new("git").arg("-C").arg("..").args(arguments))
 }

@@ -52,13 +52,13 @@ impl Interrupt {
         &self.raised
     }
 
-    /// Whether the work should end.
+    /// True if the work should end.
     #[must_use]
     pub fn raised(&self) -> bool {
         self.raised.load(Ordering::Relaxed)
     }
 
-    /// How a verb ends that was interrupted.
+    /// Ending of a verb that was interrupted.
     #[must_use]
     pub fn outcome(&self) -> Outcome {
         let code = self.code.load(Ordering::Relaxed);

@@ -55,10 +55,10 @@ pub fn verbs() -> Vec<String> {
     names.map(str::to_owned).collect()
 }
 
-/// Whether the command takes these arguments. Nothing is run and no file is looked for.
+/// Checks that the command takes these arguments. Nothing is run and no file is looked for.
 ///
 /// # Errors
-/// What is wrong with them, as a user is told.
+/// If they have a fault, in words for the user.
 pub fn takes(arguments: &[&str]) -> Result<(), String> {
     let all = std::iter::once("proctor").chain(arguments.iter().copied());
     Cli::try_parse_from(all)

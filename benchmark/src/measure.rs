@@ -6,9 +6,9 @@ use std::time::{Duration, Instant};
 /// Time spent in what was measured.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Spent {
-    /// By the clock.
+    /// Time by the clock.
     pub wall: Duration,
-    /// On the processors, summed over the threads of the work.
+    /// Time on the processors, summed over the threads of the work.
     pub cpu: Duration,
 }
 
@@ -20,14 +20,14 @@ impl Spent {
     }
 }
 
-/// How many times longer work took by the clock than on the processors, from which on something else had them.
+/// Ratio of clock time to processor time from which other work kept the processors busy.
 const BUSY: f64 = 1.2;
 /// Work below which that says nothing \[s\].
 const TOO_SHORT: f64 = 0.5;
 
-/// How many times longer runs took by the clock than on the processors, where that shows a busy machine: a run computes and
-/// waits for nobody, so that on one thread both are the same. Of runs on several threads a busy machine shows only where
-/// not even one of them was kept at work.
+/// Ratio of clock time to processor time of the runs, where it shows a busy machine: a run computes and waits for nobody, so
+/// that on one thread both are the same. Of runs on several threads a busy machine shows only where not even one of them was
+/// kept at work.
 #[must_use]
 pub fn busy(runs: impl IntoIterator<Item = Spent>) -> Option<f64> {
     let (wall, cpu) = runs.into_iter().fold((0.0, 0.0), |(wall, cpu), run| {
@@ -45,7 +45,7 @@ pub struct Stopwatch {
 }
 
 impl Stopwatch {
-    /// Does `work` and adds its time. Threads that are still busy elsewhere in this process count as well.
+    /// Runs `work` and adds its time. Threads that are still busy elsewhere in this process count as well.
     pub fn time<T>(&mut self, work: impl FnOnce() -> T) -> T {
         let (wall, cpu) = (Instant::now(), ProcessTime::now());
         let result = work();

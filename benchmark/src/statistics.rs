@@ -26,7 +26,7 @@ pub struct Summary {
 }
 
 impl Summary {
-    /// Of finite values; `None` if there are none.
+    /// Statistics of finite values; `None` if there are none.
     #[must_use]
     pub fn of(values: &[f64]) -> Option<Self> {
         let sorted = sorted(values);

@@ -11,7 +11,7 @@ use std::time::Duration;
 
 /// Clock time above which a run is timed once, because its time scatters little.
 const LONG: Duration = Duration::from_secs(1);
-/// What is measured of runs that are measured again, of [`MOST`] runs at most.
+/// Time that is measured of runs that are measured again, of [`MOST`] runs at most.
 const ENOUGH: Duration = Duration::from_millis(500);
 const MOST: usize = 30;
 
@@ -21,15 +21,15 @@ pub struct CaseRun {
     pub case: &'static Case,
     /// Its runs, in order.
     pub rungs: Vec<RanRung>,
-    /// What the case says of them.
+    /// Verdict of the case on them.
     pub verdict: Verdict,
 }
 
 /// A run of a case.
 pub struct RanRung {
-    /// Which run.
+    /// Rung of the run.
     pub rung: Rung,
-    /// What it gave.
+    /// Result of the run.
     pub solved: Result<RungResult, CaseError>,
     /// Time for all of it, once per repetition: set-up, steps, comparison. Never empty.
     pub samples: Vec<Spent>,
@@ -45,7 +45,7 @@ impl RanRung {
 }
 
 impl CaseRun {
-    /// Whether every run was solved and every gate passed.
+    /// True if every run was solved and every gate passed.
     #[must_use]
     pub fn passed(&self) -> bool {
         self.verdict.passed() && self.rungs.iter().all(|rung| rung.solved.is_ok())
@@ -114,9 +114,9 @@ pub fn run_side_by_side<E>(
 /// Runs a case as long as `go` says so before each run; the verdict is about those that were made. A run that fails does
 /// not end it. `progress` hears the share of the case that is done.
 ///
-/// What takes less than a second is run `repetitions` times, for its time: the answers are the same. If that is more than
-/// once, what is very short is run until half a second is measured, because a busy machine is slow for tenths of a second
-/// at a time.
+/// Runs of less than a second are repeated `repetitions` times, for their time: the answers are the same. If that is more than
+/// once, what is very short is run until half a second is measured, because a busy machine is slow for tenths of a second at a
+/// time.
 pub fn run_while(
     case: &'static Case,
     size: Size,

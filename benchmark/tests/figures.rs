@@ -67,7 +67,7 @@ fn element(tag: &quick_xml::events::BytesStart<'_>) -> Element {
     }
 }
 
-/// What holds for every chart; returns its elements.
+/// Checks that hold for every chart; returns its elements.
 fn sound(name: &str, chart: &Chart) -> Vec<Element> {
     let svg = chart.to_svg();
     let all = elements(name, &svg);

@@ -7,10 +7,9 @@
 use crate::model::{Dimension, Mesh};
 use std::ops::Range;
 
-/// What a node holds. Lanes 0 to 3: mass and momentum, after the solve mass and velocity; lanes 4 to 6: force,
-/// after the solve the increment of velocity; lane 7 is spare. While particles are mapped in the plane, lanes 4 and 5 hold the
-/// force through derivatives along the first axis, lanes 6 and 7 that through those along the second
-/// ([`join`](crate::stage::p2g::join)).
+/// Values of a node. Lanes 0 to 3: mass and momentum, after the solve mass and velocity; lanes 4 to 6: force, after the solve
+/// the increment of velocity; lane 7 is spare. While particles are mapped in the plane, lanes 4 and 5 hold the force through
+/// derivatives along the first axis, lanes 6 and 7 that through those along the second ([`join`](crate::stage::p2g::join)).
 pub type Line = [f64; 8];
 
 /// Ghost layers below the lower plane of each axis.

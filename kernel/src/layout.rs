@@ -36,7 +36,7 @@ impl Variable {
     }
 }
 
-/// Which columns a particle set has, and where. A column that the scene does not need does not exist.
+/// Columns of a particle set, and their places. A column that the scene does not need does not exist.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Layout {
     /// Number of axes, 2 or 3.
@@ -65,7 +65,7 @@ pub struct Layout {
     pub columns: usize,
 }
 
-/// What optional columns are wanted.
+/// Choice of optional columns.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Optional {
     /// Positions at the start, for displacements.

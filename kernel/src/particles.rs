@@ -65,7 +65,7 @@ impl ParticleSet {
         self.id.len()
     }
 
-    /// Whether there is no particle.
+    /// True if there is no particle.
     #[must_use]
     #[inline]
     pub fn is_empty(&self) -> bool {

@@ -20,27 +20,27 @@ pub struct Plan {
     pub axisymmetric: bool,
     /// Family of weighting functions.
     pub family: Family,
-    /// How particle domains follow the deformation.
+    /// Domain update of the particles.
     pub domain_update: Option<DomainUpdate>,
     /// Stress scheme.
     pub scheme: StressScheme,
     /// Affine velocity.
     pub affine: Affine,
-    /// Whether volumetric strain is a mean over cells.
+    /// True if volumetric strain is a mean over cells.
     pub cell_average: bool,
-    /// Whether the mapping carries affine velocity or forces of the particles.
+    /// True if the mapping carries affine velocity or forces of the particles.
     pub full_mapping: bool,
     /// Kinetic damping.
     pub kinetic_damping: bool,
     /// Factor of viscous damping.
     pub viscous_damping: Option<f64>,
-    /// Whether kinetic energy and unbalanced force are measured at the nodes in every step.
+    /// True if kinetic energy and unbalanced force are measured at the nodes in every step.
     pub measure: bool,
     /// Columns of the particle sets, per body.
     pub layouts: Vec<Layout>,
-    /// What was decided, in words.
+    /// Decisions of the plan, in words.
     pub entries: Vec<PlanEntry>,
-    /// What the scene may do, but not well, each with its reason.
+    /// Warnings of results that the scene may spoil, each with its reason.
     pub warnings: Vec<String>,
 }
 
@@ -49,11 +49,11 @@ pub struct Plan {
 pub struct PlanEntry {
     /// Group: stage, particle field, output, time step.
     pub group: &'static str,
-    /// What is kept or left out.
+    /// Feature that is kept or left out.
     pub name: String,
-    /// Whether it is kept.
+    /// True if it is kept.
     pub kept: bool,
-    /// Why.
+    /// Reason.
     pub because: String,
 }
 

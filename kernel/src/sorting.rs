@@ -23,13 +23,13 @@ const COUNTED_CELLS: [usize; 2] = [8, 1024];
 pub struct Sorter {
     /// Number of the base cell of each particle.
     keys: Vec<u32>,
-    /// Which particle comes to each place.
+    /// Index of the particle that comes to each place.
     order: Vec<u32>,
-    /// For each cell, where its particles end in the order.
+    /// End of the particles of each cell in the order.
     ends: Vec<u32>,
     /// First and last cell in use of each row of base cells.
     occupied: Vec<Option<(u32, u32)>>,
-    /// Of each set, for their lengths differ.
+    /// Spare columns of each set, for their lengths differ.
     spares: Vec<SpareColumns>,
 }
 
@@ -45,7 +45,7 @@ struct SpareColumns {
 struct CellShare<'a> {
     cells: Range<usize>,
     ends: &'a mut [u32],
-    /// How many particles.
+    /// Number of particles.
     count: u32,
 }
 
@@ -250,7 +250,7 @@ fn shares_of_layers(set: &ParticleSet, layers: usize, count: usize) -> ThreadLis
     shares
 }
 
-/// Has the first and last cell in use of a row hold those from `low` to `high`, too.
+/// Widens the first and last cell in use of a row to hold those from `low` to `high`, too.
 fn widen(span: &mut Option<(u32, u32)>, low: u32, high: u32) {
     let span = span.get_or_insert((low, high));
     span.0 = span.0.min(low);

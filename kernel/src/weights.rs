@@ -22,7 +22,7 @@
 
 use crate::lanes::Lanes;
 
-/// Which family of functions a particle set uses; the half-length comes with the particle.
+/// Family of weighting functions of a particle set; the half-length comes with the particle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Family {
     /// Linear hat.
@@ -302,7 +302,7 @@ pub fn axis_weights_at<const N: usize>(
 /// Mean of the hat of a node over a piece of an axis with half-length `half`, in cells, whose middle is `distance` cells from
 /// the node; the hat itself where it has no length.
 ///
-/// What [`axis_weights_at`] has for a particle holds for pieces of any place and length, next to which a particle reaches more
+/// The numbers of [`axis_weights_at`] for a particle hold for pieces of any place and length, next to which a particle reaches more
 /// nodes than a stencil has.
 #[must_use]
 pub fn mean_of_hat(distance: f64, half: f64) -> f64 {

@@ -36,7 +36,7 @@ pub enum Size {
 pub struct Quantity {
     /// Its name, by which [`Case::judge`] finds it.
     pub name: &'static str,
-    /// As computed, in `unit`.
+    /// Value as computed, in `unit`.
     pub value: f64,
     /// Exact value, in `unit`, where one number says it.
     pub exact: Option<f64>,
@@ -117,7 +117,7 @@ impl Measurements {
         Self::new(quantities.into(), None)
     }
 
-    /// With a picture of them, where there is one.
+    /// Adds a picture of them, where there is one.
     #[must_use]
     pub fn drawn(self, curve: impl Into<Option<Curve>>) -> Self {
         Self {
@@ -189,7 +189,7 @@ impl RungResult {
     }
 }
 
-/// On which side of its bound a gate's value must lie.
+/// Side of its bound on which a gate's value must lie.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Relation {
     /// `value <= bound`.
@@ -199,7 +199,7 @@ pub enum Relation {
 }
 
 impl Relation {
-    /// In words: `at most`, `at least`.
+    /// The side in words: `at most`, `at least`.
     #[must_use]
     pub fn words(self) -> &'static str {
         match self {
@@ -220,7 +220,7 @@ pub struct Gate {
     pub relation: Relation,
     /// The bound, in the unit of the value.
     pub bound: f64,
-    /// Why this bound.
+    /// Reason of the bound.
     pub reason: &'static str,
 }
 
@@ -289,7 +289,7 @@ pub struct CaseError {
 }
 
 impl CaseError {
-    /// Why a rung of the case of that name could not be solved.
+    /// Sentence for a rung of the case of that name that could not be solved.
     #[must_use]
     pub fn new(case: &'static str, rung: &Rung, reason: &dyn fmt::Display) -> Self {
         Self {

@@ -32,7 +32,7 @@ pub enum Test {
     Extension,
 }
 
-/// What is asked of a component of strain and stress.
+/// Control of a component of strain and stress.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Control {
     /// Its strain at the end of the path, reached in equal steps.
@@ -67,8 +67,8 @@ impl Test {
         }
     }
 
-    /// What it does to components xx, yy, zz, yz, xz, xy for a strain: of the axis, of an angle in shear, of the volume where
-    /// all sides are pressed.
+    /// Effect on components xx, yy, zz, yz, xz, xy for a strain: of the axis, of an angle in shear, of the volume where all
+    /// sides are pressed.
     #[must_use]
     pub fn controls(self, strain: f64) -> [Control; 6] {
         use Control::{Held, Strain};
@@ -188,21 +188,21 @@ impl State {
     }
 }
 
-/// Why a path ended.
+/// Reason for which a path ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ElementError {
     /// The law gave no finite stress, or no volume was left.
     Fault {
         /// Step, from 1.
         step: usize,
-        /// What went wrong.
+        /// The fault.
         fault: PointFault,
     },
     /// No strain was found that keeps the stresses that are held.
     NotHeld {
         /// Step, from 1.
         step: usize,
-        /// By how much they are missed \[Pa\].
+        /// Stress by which they are missed \[Pa\].
         missed: f64,
     },
 }
@@ -286,8 +286,8 @@ struct HeldStep<'a> {
 }
 
 impl HeldStep<'_> {
-    /// By how much the stress of the held components is missed with this strain of them \[Pa\], on the average and at most,
-    /// and what may be missed.
+    /// Stress by which the held components are missed with this strain of them \[Pa\], on the average and at most, and the
+    /// accepted one.
     fn missed(&self, increment: &[f64; 6], lateral: f64) -> Result<(f64, f64, f64), ElementError> {
         let mut ahead = self.point.clone();
         let mut increment = *increment;

@@ -22,12 +22,12 @@ pub(crate) const FRAMES: usize = 20;
 /// relaxation to 1e-8 of the load takes.
 pub(crate) const RELAXATION: f64 = 16.0;
 
-/// What the manuals' program does by default, with [`COURANT`].
+/// Default settings of the manuals' program, with [`COURANT`].
 pub(crate) fn settings() -> Settings {
     Settings::new(Method::DEFAULT).courant(COURANT)
 }
 
-/// Which field of a particle is compared.
+/// Field of a particle that is compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ComparedField {
     /// Displacement \[m\].
@@ -36,7 +36,7 @@ pub enum ComparedField {
     Velocity,
 }
 
-/// How the differences of all particles become one error.
+/// Norm that makes one error of the differences of all particles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Norm {
     /// sqrt(sum |f - f_exact|² / sum |f_exact|²) over particles and frames; particles have equal masses.
@@ -52,13 +52,13 @@ pub type ExactField = Box<dyn Fn(&[Vector], f64) -> Vec<Vector> + Send + Sync>;
 pub struct Guest {
     /// The scene, with one constant step.
     pub scene: Scene,
-    /// What is compared.
+    /// Field that is compared.
     pub compared: ComparedField,
-    /// By which norm.
+    /// Norm of the errors.
     pub norm: Norm,
-    /// Whether the last frame alone counts, rather than all after the first.
+    /// True if the last frame alone counts, rather than all after the first.
     pub last_alone: bool,
-    /// Whether a particle that began at a place (m) counts.
+    /// True for a place (m) whose particle counts.
     pub counts: Box<dyn Fn(&Vector) -> bool + Send + Sync>,
     /// The exact field.
     pub exact: ExactField,
@@ -71,7 +71,7 @@ pub struct Guest {
 pub struct Snapshot {
     /// Time of the field \[s\].
     pub time: f64,
-    /// Where the particles began \[m\].
+    /// Places of the particles at the start \[m\].
     pub starts: Vec<Vector>,
     /// The field that is compared.
     pub values: Vec<Vector>,
@@ -105,7 +105,7 @@ impl Guest {
     /// Relative error of the frames of a solver.
     ///
     /// # Errors
-    /// Why there is none: no frame, no particle that counts, nothing exact to be relative to.
+    /// If there is no frame, no particle that counts, or no exact value to be relative to.
     pub fn error(&self, frames: &[Snapshot]) -> Result<f64, String> {
         let first = if self.last_alone {
             frames.len().saturating_sub(1)
@@ -154,8 +154,8 @@ impl Guest {
     }
 }
 
-/// What every scene for other solvers has in common: `frames` frames with displacements and velocities, and equal steps of
-/// at most `step` (s), a whole number of them between two frames.
+/// Preparation that every scene for other solvers has in common: `frames` frames with displacements and velocities, and equal
+/// steps of at most `step` (s), a whole number of them between two frames.
 pub(crate) fn prepared(mut scene: Scene, frames: usize, step: f64) -> Scene {
     let between = scene.time / frames as f64;
     let steps = (between / step * (1.0 - 1e-12)).ceil().max(1.0);

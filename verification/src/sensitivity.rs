@@ -5,11 +5,11 @@
 
 use crate::case::{Case, Gate, Relation, Rung, RungResult, Size};
 
-/// By how much more than its bound a number is moved where a gate is an upper one.
+/// Factor on its bound to which a number is moved where a gate is an upper one.
 const BEYOND: f64 = 2.0;
-/// What a lower gate's number is brought down to, as a share of the bound.
+/// Share of its bound to which the number of a lower gate is brought down.
 const SHORT: f64 = 0.95;
-/// What a number that must be zero becomes.
+/// Value that replaces a number that must be zero.
 const ANY: f64 = 1e-12;
 
 /// Shares of a number by which it is moved where a gate is on a difference.
@@ -26,7 +26,7 @@ pub struct Number {
     pub quantity: &'static str,
 }
 
-/// What a gate reacts to.
+/// Numbers that a gate reacts to.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reaction {
     /// The gate, as it was judged.
@@ -35,7 +35,7 @@ pub struct Reaction {
     pub to: Vec<Number>,
 }
 
-/// What each gate reacts to, in the order in which the case names them. A gate that fails already reacts to nothing
+/// Numbers that each gate reacts to, in the order in which the case names them. A gate that fails already reacts to nothing
 /// here.
 #[must_use]
 pub fn reactions(case: &Case, size: Size, solved: &[(Rung, RungResult)]) -> Vec<Reaction> {
@@ -114,7 +114,7 @@ impl Reaction {
     }
 }
 
-/// Whether a gate that held fails, by no more than what a number moved by twice the bound makes of it.
+/// True if a gate that held fails, by no more than what a number moved by twice the bound makes of it.
 fn notices(before: &Gate, now: &Gate) -> bool {
     let most = match before.relation {
         Relation::AtMost if before.bound > 0.0 => {
@@ -127,7 +127,7 @@ fn notices(before: &Gate, now: &Gate) -> bool {
     before.passed() && !now.passed() && now.value <= most
 }
 
-/// How much finer a run is than others of its variant, by which an observed order may have been formed.
+/// Ratio by which a run is finer than others of its variant, by which an observed order may have been formed.
 fn refinements(solved: &[(Rung, RungResult)], run: usize) -> Vec<f64> {
     let own = &solved[run].0;
     solved

@@ -25,31 +25,31 @@ pub struct Settings {
     pub courant: Option<f64>,
     /// Particles per cell and axis.
     pub particles_per_cell: usize,
-    /// Whether a step above the stability bound of the method is tried.
+    /// True if a step above the stability bound of the method is tried.
     pub allow_unstable: bool,
 }
 
 impl Method {
-    /// What a scene has that chooses nothing.
+    /// Settings of a scene that chooses none.
     pub const DEFAULT: Self = Self {
         weighting: Weighting::UniformGimp,
         scheme: StressScheme::Usl,
         transfer: TransferKind::Flip,
     };
 
-    /// With another weighting function.
+    /// Sets another weighting function.
     #[must_use]
     pub const fn with_weighting(self, weighting: Weighting) -> Self {
         Self { weighting, ..self }
     }
 
-    /// With another stress scheme.
+    /// Sets another stress scheme.
     #[must_use]
     pub const fn with_scheme(self, scheme: StressScheme) -> Self {
         Self { scheme, ..self }
     }
 
-    /// With another transfer.
+    /// Sets another transfer.
     #[must_use]
     pub const fn with_transfer(self, transfer: TransferKind) -> Self {
         Self { transfer, ..self }
@@ -83,7 +83,7 @@ impl Method {
         !self.transfer.kind().least_squares || self.weighting == Weighting::QuadraticBSpline
     }
 
-    /// Whether the kernel knows a time step that is safe for every body.
+    /// True if the kernel knows a time step that is safe for every body.
     #[must_use]
     pub fn has_safe_step(self) -> bool {
         has_safe_step(self.weighting, self.scheme, self.transfer)

@@ -12,7 +12,7 @@ use crate::settings::{Method, Settings};
 /// The phases of a run; run time means [`Phase::Stepping`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Phase {
-    /// From the scene to the first step.
+    /// Time from the scene to the first step.
     SetUp,
     /// The explicit cycle and nothing else.
     Stepping,
@@ -85,7 +85,7 @@ impl StudyResult {
     }
 }
 
-/// Why a run has no answer, in words; [`CaseError`] says of which case and rung.
+/// Reason for which a run has no answer, in words; [`CaseError`] says of which case and rung.
 pub type Failure = Box<dyn Error>;
 
 /// A problem of a case that can be solved with any settings.
@@ -156,7 +156,7 @@ impl Study {
     }
 }
 
-/// For [`Study::tries`] where runs take long: the full study tries every method, the short one the default and MUSL
+/// Settings for [`Study::tries`] where runs take long: the full study tries every method, the short one the default and MUSL
 /// with APIC, on uGIMP and on B-splines.
 #[must_use]
 pub fn few(size: Size, method: Method) -> bool {

@@ -113,7 +113,7 @@ fn a_gate_on_a_small_difference_reacts() {
     assert_eq!(reacted(&case), [vec!["made h=0.1 force".to_owned()]]);
 }
 
-/// What the judge must not contain: a bound on what the scene says, one so wide that twice of it passes, one on a name
+/// Faults that the judge must not contain: a bound on a number of the scene, one so wide that twice of it passes, one on a name
 /// that no run has, and one that holds for either side.
 #[test]
 fn gates_that_cannot_fail_react_to_nothing() {

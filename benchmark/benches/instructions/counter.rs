@@ -12,7 +12,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
 use std::thread;
 
-/// Has the C library fill and copy memory with vector instructions. By itself it takes one string instruction for what is
+/// Makes the C library fill and copy memory with vector instructions. By itself it takes one string instruction for what is
 /// large, of which valgrind counts every byte, so that a count would tell which of the two the compiler called.
 const NO_STRING_INSTRUCTIONS: (&str, &str) = (
     "GLIBC_TUNABLES",
@@ -109,13 +109,13 @@ impl Counter {
 
 /// Counts of this run, and those taken from the earlier record.
 pub struct Counts {
-    /// By the name of the item.
+    /// Counts by the name of the item.
     pub counted: BTreeMap<String, Count>,
     /// The first item once more.
     pub again: Option<(String, Count)>,
-    /// By the name of the row.
+    /// Rows by their name.
     pub kept: BTreeMap<String, (Row, Digest)>,
-    /// Of all items, and of the parts of the sources.
+    /// Digests of all items, and of the parts of the sources.
     pub digests: KeptDigests,
 }
 

@@ -28,9 +28,9 @@ pub struct Solver {
     pub method: String,
     /// Cost of its start.
     pub start: Start,
-    /// Why it takes no part: its calibration failed.
+    /// Reason for which it takes no part: its calibration failed.
     pub failed: Option<String>,
-    /// Why it takes no part: it skipped its calibration.
+    /// Reason for which it takes no part: it skipped its calibration.
     pub skipped: Option<String>,
 }
 
@@ -56,14 +56,14 @@ pub struct Cell {
     pub best: Option<f64>,
     /// Order of the error between its two finest runs.
     pub order: Option<f64>,
-    /// Why it skipped the case.
+    /// Reason for which it skipped the case.
     pub skipped: Option<String>,
     /// Its runs, coarse to fine.
     pub meshes: Vec<Mesh>,
 }
 
 impl Cell {
-    /// Why a run failed, where one did.
+    /// Reason for which a run failed, if one did.
     #[must_use]
     pub fn failure(&self) -> Option<&str> {
         self.meshes

@@ -87,8 +87,8 @@ fn own_rows(methods: &[Method]) -> Vec<Executable> {
 }
 
 impl Solvers {
-    /// Has each solver run a free fall: what its frames mean, and then what its start costs once its kernels are compiled. One that
-    /// skips it takes no part.
+    /// Runs a free fall with each solver: the meaning of its frames, and then the cost of its start once its kernels are
+    /// compiled. One that skips it takes no part.
     #[must_use]
     pub fn calibrated(
         methods: &[Method],
@@ -193,7 +193,7 @@ pub struct Start {
 }
 
 impl Start {
-    /// That of a calibrated solver.
+    /// Start of a calibrated solver.
     pub(super) fn of(record: &Record, solver: &str) -> Self {
         let of_solver = |row: &&Row| {
             row.labels.get("executable").map(String::as_str) == Some(solver)
@@ -210,7 +210,7 @@ impl Start {
         }
     }
 
-    /// That of the row of a solver on a case.
+    /// Values of the row of a solver on a case.
     pub(super) fn of_row(row: &Row) -> Self {
         let count = |key: &str| row.counters.get(key).copied().unwrap_or(0.0);
         Self {

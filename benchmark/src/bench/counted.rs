@@ -37,7 +37,7 @@ impl Item {
 /// Scenes with whole steps, methods and single parts.
 ///
 /// # Errors
-/// Where a scene of that name is missing.
+/// If a scene of that name is missing.
 pub fn scenes_and_parts() -> Result<Vec<Item>, Box<dyn Error>> {
     let make = |name: &str| -> Result<Value, Box<dyn Error>> {
         let (scene, axes) = scenes::find(name).ok_or("no such scene")?;
@@ -231,7 +231,7 @@ impl Earlier {
     /// Names of all items that must be counted anew, features included.
     ///
     /// # Errors
-    /// Where a scene is missing.
+    /// If a scene is missing.
     pub fn uncounted(&self) -> Result<Vec<String>, Box<dyn Error>> {
         let features = features().into_iter().flat_map(|group| group.features);
         let items = scenes_and_parts()?.into_iter().chain(features);

@@ -22,7 +22,7 @@ pub struct Least {
 }
 
 impl Least {
-    /// For the plan of a scene; `None` where nothing was counted: two dimensions, a second mapping, an affine velocity,
+    /// Counts for the plan of a scene; `None` where nothing was counted: two dimensions, a second mapping, an affine velocity,
     /// functions of two nodes, domains that follow the deformation.
     #[must_use]
     pub fn of(plan: &Plan, weighting: Weighting) -> Option<Self> {

@@ -7,7 +7,7 @@ use proctor_scene::{Scene, SceneError, StressScheme, Weighting};
 
 /// A combination that is sampled, with what tables say of it.
 pub struct Slot {
-    /// What is sampled.
+    /// Work that is sampled.
     pub work: Work,
     /// Scene.
     pub scene: String,

@@ -10,7 +10,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-/// What is done in a sample.
+/// Work of a sample.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Whole steps.
@@ -23,7 +23,7 @@ pub enum Kind {
 pub struct Work {
     /// Name without the number of threads.
     pub name: String,
-    /// What is done.
+    /// Kind of work.
     pub kind: Kind,
     /// The scene.
     pub scene: Scene,
@@ -33,7 +33,7 @@ pub struct Work {
     pub threads: usize,
 }
 
-/// How a sample is taken.
+/// Settings of a sample.
 #[derive(Clone, Copy, Debug)]
 pub struct Settings {
     /// Steps, or plays of a stage, before the clock starts.
@@ -44,7 +44,7 @@ pub struct Settings {
     pub lanes: LaneChoice,
 }
 
-/// What a sample gave.
+/// Result of a sample.
 #[derive(Clone, Debug)]
 pub struct Sample {
     /// Particles.
@@ -71,7 +71,7 @@ impl Work {
     /// Takes a sample; `None` if `stop` was raised meanwhile.
     ///
     /// # Errors
-    /// Why the scene cannot be set up or stepped.
+    /// If the scene cannot be set up or stepped.
     pub fn sample(&self, settings: &Settings, stop: &AtomicBool) -> Result<Option<Sample>, String> {
         let mut options = Options {
             threads: Some(self.threads),

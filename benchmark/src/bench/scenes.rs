@@ -42,7 +42,7 @@ pub struct Made {
 pub struct BuiltIn {
     /// Name in configurations: `NAME-2d` or `NAME-3d`.
     pub name: &'static str,
-    /// What it is.
+    /// Description of the scene.
     pub what: &'static str,
     /// Numbers of axes in which it can be made.
     pub axes: &'static [usize],
@@ -319,7 +319,7 @@ fn sparse(block: &Block) -> Made {
 
 /// Seed of the places of its particles.
 const SEED: u64 = 2026;
-/// How far the particles of the disordered block are displaced along the first axis, per height.
+/// Displacement of the particles of the disordered block along the first axis, per height.
 const SHEAR: f64 = 0.5;
 
 fn disordered(block: &Block) -> Made {
@@ -343,7 +343,7 @@ fn wide(block: &Block) -> Made {
     made
 }
 
-/// Has the body of a scene be a list of particles.
+/// Makes the body of a scene a list of particles.
 fn of_list(made: &mut Made, particles: &Value) {
     let body = &mut made.scene["body"][0];
     *body = json!({

@@ -14,7 +14,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Why an executable runs nothing.
+/// Reason for which an executable runs nothing.
 const NOT_RUN: &str = "not run, as its calibration failed";
 
 /// All that a configuration asks for, and what came of it.
@@ -114,8 +114,8 @@ impl Session {
         }
     }
 
-    /// Has each executable run a free fall before anything else, in the dimensions of its scenes. Says of a run whether its
-    /// executable passed.
+    /// Calibrates each executable by a free fall before anything else, in the dimensions of its scenes. Says of a run whether
+    /// its executable passed.
     fn calibrate(
         &self,
         record: &mut Record,

@@ -49,7 +49,7 @@ impl<'a> Samples<'a> {
         median(&self.all(key)).map_or_else(String::new, show)
     }
 
-    /// What stands in place of a time.
+    /// Text in the place of a time.
     fn instead(&self) -> &'static str {
         if self.failure().is_some() {
             "failed"
@@ -374,7 +374,7 @@ fn ns(x: f64) -> String {
 /// Width of lines of words.
 const WIDTH: usize = 120;
 
-/// What a report tells in short.
+/// Summary of a report.
 struct Short<'a>(&'a Report<'a>);
 
 impl fmt::Display for Short<'_> {
@@ -401,7 +401,7 @@ impl fmt::Display for Short<'_> {
     }
 }
 
-/// What stands above whole steps.
+/// Heading above whole steps.
 const STEPS: &str = "whole steps: ns per particle and step, less is better; median";
 
 impl fmt::Display for Report<'_> {

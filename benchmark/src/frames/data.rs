@@ -5,7 +5,7 @@ use base64::engine::general_purpose::STANDARD;
 use flate2::read::ZlibDecoder;
 use std::io::Read;
 
-/// What a file says of all its binary arrays.
+/// Header of all binary arrays of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Layout {
     pub big_endian: bool,
@@ -14,7 +14,7 @@ pub(super) struct Layout {
     pub compressed: bool,
 }
 
-/// How bytes are written.
+/// Encoding of the bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Encoding {
     Raw,

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 /// The last frame in a folder or below it, and its time where a `.pvd` beside it says so.
 ///
-/// That with the latest time of a `.pvd`; without one, that with the greatest number in its name.
+/// Frame with the latest time of a `.pvd`; without one, that with the greatest number in its name.
 #[must_use]
 pub fn last(folder: &Path) -> Option<(PathBuf, Option<f64>)> {
     all(folder).pop()

@@ -44,7 +44,7 @@ impl Frame {
 /// Reads a frame.
 ///
 /// # Errors
-/// Why it cannot be read, with the name of the file.
+/// If it cannot be read, with the name of the file.
 pub fn read(path: &Path) -> Result<Frame, String> {
     let size = std::fs::metadata(path).map_or(0, |data| data.len());
     if size > LARGEST {
@@ -62,7 +62,7 @@ pub fn read(path: &Path) -> Result<Frame, String> {
 /// Reads a frame from the bytes of a file.
 ///
 /// # Errors
-/// Why it cannot be read.
+/// If it cannot be read.
 pub fn parse(bytes: &[u8]) -> Result<Frame, String> {
     // Raw data is no XML: everything behind the tag of the appended section is data.
     let (xml, appended) = match find(bytes, b"<AppendedData") {

@@ -112,20 +112,20 @@ fn in_window(values: &[f64]) -> Vec<usize> {
 struct Candidate {
     /// Energy distance between what is before the split and what is behind it.
     distance: f64,
-    /// Where the stretch begins.
+    /// First value of the stretch.
     from: usize,
     /// First value behind the split.
     split: usize,
     /// First value behind those that are compared.
     end: usize,
-    /// Where the stretch ends.
+    /// End of the stretch.
     to: usize,
 }
 
 /// Sums of distances between the values of a window.
 struct Distances {
     count: usize,
-    /// At `i * count + j` the sum of the distances of value `j` from all values before `i`.
+    /// Sum at `i * count + j` of the distances of value `j` from all values before `i`.
     before: Vec<f64>,
 }
 

@@ -15,7 +15,7 @@ use crate::record::{CaseKey, Meaning};
 use numbers::Numbers;
 use std::collections::HashMap;
 
-/// Where a record stands in the history.
+/// Place of a record in the history.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Point {
     /// Commit, as far as it is known.
@@ -37,7 +37,7 @@ pub struct Series {
     pub number: String,
     /// Its meaning; a time is [`Meaning::Information`].
     pub meaning: Meaning,
-    /// Which way is better.
+    /// Better side of the number.
     pub better: Better,
     /// Its values, one per record; none where a record lacks it.
     pub values: Vec<Option<f64>>,
@@ -64,7 +64,7 @@ pub struct ChangePoint {
     pub after: f64,
     /// Relative loss; negative where it is better.
     pub loss: f64,
-    /// Which way it went.
+    /// Direction in which it moved.
     pub moved: Direction,
     /// Chance of such a change without a reason; 0 of what is exact.
     pub chance: f64,
@@ -241,7 +241,7 @@ impl History {
         all
     }
 
-    /// For each record the numbers that are new since the record before it, and those that are gone since then.
+    /// Numbers of each record that are new since the record before it, and those that are gone since then.
     #[must_use]
     pub fn new_and_gone(&self) -> Vec<[usize; 2]> {
         let mut all = vec![[0; 2]; self.points.len()];

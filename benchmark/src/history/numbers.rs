@@ -19,7 +19,7 @@ pub struct Number {
     pub key: String,
     /// Its meaning.
     pub meaning: Meaning,
-    /// Which way is better.
+    /// Better side of the number.
     pub better: Better,
     /// Its value, of several samples the worst; of times the median.
     pub value: f64,
@@ -28,8 +28,8 @@ pub struct Number {
 /// The cases of a record with their numbers, in the order of its rows.
 pub type Numbers = Vec<(CaseKey, Vec<Number>)>;
 
-/// Where a record belongs, and its numbers; none of a text that is no record of this version, of which
-/// [`crate::record::Record::parse`] says why.
+/// Place of a record in the history, and its numbers; none of a text that is no record of this version, for which
+/// [`crate::record::Record::parse`] gives the reason.
 #[must_use]
 pub fn read(text: &[u8]) -> Option<(Point, Numbers)> {
     let file: File = serde_json::from_slice(text).ok()?;
@@ -72,7 +72,7 @@ struct Row {
     one_thread: bool,
     failed: bool,
     timed: bool,
-    /// By the clock and on the processors, in its unit.
+    /// Times by the clock and on the processors, in its unit.
     times: [Option<f64>; 2],
     unit: f64,
     numbers: Vec<(String, f64)>,

@@ -12,7 +12,7 @@ use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 /// Records that are read before their numbers are joined.
 const AT_ONCE: usize = 32;
 
-/// Why there is no history.
+/// Reason for which there is no history.
 #[derive(Debug)]
 pub enum HistoryError {
     /// A file that is no record of this version.

@@ -24,7 +24,7 @@ pub enum CaseVerdict {
 /// A case of one or both records.
 #[derive(Clone, Debug)]
 pub struct Finding {
-    /// Which case.
+    /// Key of the case.
     pub case: CaseKey,
     /// All that was compared bit by bit, what is equal too.
     pub changes: Vec<Change>,
@@ -32,14 +32,14 @@ pub struct Finding {
     pub time: Option<Time>,
     /// The verdict.
     pub verdict: CaseVerdict,
-    /// Why, line by line.
+    /// Reasons of the verdict, line by line.
     pub reasons: Vec<String>,
-    /// What moved and is not judged for it.
+    /// Lines on numbers that moved and are not judged for it.
     pub told: Vec<String>,
 }
 
 impl Finding {
-    /// Whether anything of the case was compared.
+    /// True if anything of the case was compared.
     #[must_use]
     pub fn judged(&self) -> bool {
         self.time.is_some()
@@ -226,7 +226,7 @@ pub(super) fn judge(
     docket.close(verdict)
 }
 
-/// What was found in a case so far.
+/// Findings in a case so far.
 #[derive(Default)]
 struct Marks {
     cannot: bool,
@@ -257,7 +257,7 @@ impl Marks {
     }
 }
 
-/// What to say of a change; nothing where there is none.
+/// Line on a change; nothing where there is none.
 fn line(changed: &Change) -> Option<String> {
     let Change {
         number, base, head, ..
@@ -281,7 +281,7 @@ fn line(changed: &Change) -> Option<String> {
     })
 }
 
-/// From where to where, with as many digits as tell the two apart.
+/// Values before and after, with as many digits as tell the two apart.
 fn arrow(changed: &Change) -> String {
     let (base, head) = (&changed.base, &changed.head);
     let (Some(from), Some(to)) = (base.number(), head.number()) else {
@@ -315,7 +315,7 @@ fn change(ratio: f64) -> String {
     }
 }
 
-/// What a gain in time cost in accuracy.
+/// Accuracy that a gain in time cost.
 enum Paid {
     /// Nothing: no error rose.
     Nothing,
@@ -345,7 +345,7 @@ fn paid(base: &Cases, case: &CaseKey, changes: &[Change]) -> Paid {
     paid
 }
 
-/// Which way the time went, at equal error where a gain was paid for in accuracy.
+/// Direction of the time, at equal error where a gain was paid for in accuracy.
 fn judge_time(time: &Time, paid: &Paid) -> (Direction, Option<String>) {
     match (time.pace, paid) {
         (Pace::Same, _) => (Direction::Same, None),

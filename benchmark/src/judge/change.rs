@@ -17,10 +17,10 @@ pub const COUNT_CHANGE: f64 = 0.01;
 pub const CASE: &str = "case";
 /// Name under which the failures of a case stand among its numbers.
 pub const FAILURE: &str = "failure";
-/// What is said of a case that is there.
+/// Word for a case that is there.
 const PRESENT: &str = "present";
 
-/// What stands in a record.
+/// Value in a record.
 #[derive(Clone, Debug, PartialEq)]
 pub enum RecordedValue {
     /// Nothing.
@@ -62,7 +62,7 @@ impl fmt::Display for RecordedValue {
     }
 }
 
-/// Which way is better.
+/// Better side of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Better {
     /// The smaller magnitude.
@@ -76,7 +76,7 @@ pub enum Better {
 }
 
 impl Better {
-    /// Which way is better for numbers of a meaning; for a gate its side says, `at most` or `at least`.
+    /// Better side of numbers of a meaning; for a gate its side decides, `at most` or `at least`.
     #[must_use]
     pub fn of(meaning: Meaning, side: Option<&str>) -> Self {
         match (meaning, side) {
@@ -99,8 +99,8 @@ impl Better {
         values.iter().copied().reduce(worse).unwrap_or(f64::NAN)
     }
 
-    /// How much worse `head` is than `base`, over the magnitude of `base`; negative where it is better. Where neither is
-    /// better, any distance is worse.
+    /// Loss of `head` against `base`, over the magnitude of `base`; negative where it is better. Where neither is better, any
+    /// distance is worse.
     #[must_use]
     pub fn loss(self, base: f64, head: f64) -> f64 {
         let loss = match self {
@@ -120,9 +120,9 @@ pub enum Direction {
     Same,
     /// Not for the worse, or by so little that sums in another order (or another compiler, for counts) may have done it.
     Close,
-    /// For the better by more than that.
+    /// Better by more than that.
     Better,
-    /// For the worse by more than that, or where neither is better.
+    /// Worse by more than that, or where neither is better.
     Worse,
     /// HEAD does not have it.
     Missing,
@@ -130,7 +130,7 @@ pub enum Direction {
     Appeared,
     /// It is another problem.
     Other,
-    /// As a line of the ledger says.
+    /// Accepted by a line of the ledger.
     Accepted,
 }
 
@@ -141,13 +141,13 @@ pub struct Change {
     pub number: String,
     /// Its meaning.
     pub meaning: Meaning,
-    /// Which way is better.
+    /// Better side of the number.
     pub better: Better,
-    /// In BASE; of several samples the worst.
+    /// Value in BASE; of several samples the worst.
     pub base: RecordedValue,
-    /// In HEAD; of several samples the worst.
+    /// Value in HEAD; of several samples the worst.
     pub head: RecordedValue,
-    /// Which way it went.
+    /// Direction in which it moved.
     pub moved: Direction,
 }
 
@@ -282,7 +282,7 @@ fn settled(before: &str, after: &str) -> Direction {
     }
 }
 
-/// By how many half-widths of its bar in BASE a value moved; `None` for what has no bar.
+/// Number of half-widths of its bar in BASE by which a value moved; `None` for what has no bar.
 #[must_use]
 pub fn in_bars(change: &Change, base: &Series) -> Option<f64> {
     let name = change.number.strip_prefix("value_")?;
@@ -292,7 +292,7 @@ pub fn in_bars(change: &Change, base: &Series) -> Option<f64> {
     (bar > 0.0 && from != to).then(|| (to - from).abs() / bar)
 }
 
-/// Whether a gate lies on the right side of its bound; `None` for what is no gate. One without a value does not.
+/// True if a gate lies on the right side of its bound; `None` for what is no gate. One without a value does not.
 #[must_use]
 pub fn gate_holds(series: &Series) -> Option<bool> {
     let bound = Better::Neither.worst(series.counters.get(GATE_BOUND)?);
@@ -317,13 +317,13 @@ fn better(meaning: Meaning, base: &Series, head: &Series) -> Better {
     Better::of(meaning, side)
 }
 
-/// Whether the error of a value is there too, and judges it.
+/// True if the error of a value is there too, and judges it.
 fn tells_error(key: &str, series: &Series) -> bool {
     let name = key.strip_prefix("value_");
     name.is_some_and(|name| series.counters.contains_key(&format!("error_{name}")))
 }
 
-/// Whether all samples agree. Counts of instructions may differ a little.
+/// True if all samples agree. Counts of instructions may differ a little.
 fn repeats(meaning: Meaning, values: Option<&Vec<f64>>) -> bool {
     let Some((first, others)) = values.and_then(|values| values.split_first()) else {
         return true;

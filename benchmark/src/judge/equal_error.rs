@@ -3,8 +3,8 @@
 use crate::record::{CaseKey, Cases};
 use crate::statistics::median;
 
-/// How many times longer BASE takes for the error it has in this case than for an error of `error`, by the ladder of
-/// the case: log-linear between its points, and by the outer two beyond them.
+/// Ratio of BASE's time for the error it has in this case to its time for an error of `error`, by the ladder of the case:
+/// log-linear between its points, and by the outer two beyond them.
 ///
 /// `None` where there is no ladder: fewer than two points, or more time does not buy less error.
 #[must_use]

@@ -10,13 +10,13 @@ use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-/// How a number moved, as the ledger says it.
+/// Kind of the move of a number, in the words of the ledger.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum ChangeKind {
-    /// For the better, or by less than is judged.
+    /// Better, or moved by less than is judged.
     Better,
-    /// For the worse, or where neither is better: somebody took it with its reason.
+    /// Worse, or where neither is better: somebody accepted it with its reason.
     Worse,
     /// It was not there before.
     New,
@@ -29,17 +29,17 @@ pub enum ChangeKind {
 pub struct Line {
     /// The kept record: `quick`, `full`, or empty for counts.
     pub ladder: String,
-    /// Which case, as a comparison names it.
+    /// Case, as a comparison names it.
     pub case: String,
     /// Key of the number or word.
     pub number: String,
-    /// What stood there, `none` where nothing did.
+    /// Value before, `none` where there was none.
     pub from: String,
-    /// What stands there now, `none` where nothing does.
+    /// Value now, `none` where there is none.
     pub to: String,
-    /// How it moved.
+    /// Kind of the move.
     pub what: ChangeKind,
-    /// Why it was accepted.
+    /// Reason for which it was accepted.
     pub reason: String,
     /// Commit of the sources that were measured, `+` where they held more than it.
     pub commit: String,
@@ -115,13 +115,13 @@ impl Ledger {
         })
     }
 
-    /// Whether `self` is `before` with lines added at its end.
+    /// True if `self` is `before` with lines added at its end.
     #[must_use]
     pub fn continues(&self, before: &Self) -> bool {
         self.lines.starts_with(&before.lines)
     }
 
-    /// Whether lines lead from what stood in BASE to what stands in HEAD.
+    /// True if lines lead from the value in BASE to the value in HEAD.
     #[must_use]
     pub fn accepts(&self, ladder: &str, case: &str, change: &Change) -> bool {
         let target = change.head.to_string();
@@ -155,7 +155,7 @@ impl Ledger {
         best
     }
 
-    /// Whether HEAD is worse than the best value that was ever accepted, by more than is judged; that value.
+    /// Best value that was ever accepted, if HEAD is worse than it by more than is judged.
     #[must_use]
     pub fn below_best(&self, ladder: &str, case: &str, change: &Change) -> Option<f64> {
         if change.meaning == Meaning::Information {
@@ -205,7 +205,7 @@ impl Ledger {
         }
     }
 
-    /// Whether a change is for the worse, against BASE or against the best value ever accepted.
+    /// True if a change is for the worse, against BASE or against the best value ever accepted.
     #[must_use]
     pub fn worse(&self, ladder: &str, case: &str, change: &Change) -> bool {
         matches!(change.moved, Direction::Worse | Direction::Other)

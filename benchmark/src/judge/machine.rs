@@ -6,9 +6,9 @@ use serde_json::Value;
 /// A key of a context that matters.
 struct Condition {
     key: &'static str,
-    /// What people call it.
+    /// Word for people.
     word: &'static str,
-    /// Whether a record that does not say it cannot be compared with one that does.
+    /// True if a record without it cannot be compared with one that has it.
     needed: bool,
 }
 
@@ -28,28 +28,28 @@ const fn if_known(key: &'static str, word: &'static str) -> Condition {
     }
 }
 
-/// What decides the machine code.
+/// Conditions that decide the machine code.
 const BUILD: [Condition; 3] = [
     needed("library_build_type", "build type"),
     if_known("target", "target"),
     if_known("target_features_compiled", "target features"),
 ];
-/// What decides the inner loops.
+/// Condition that decides the inner loops.
 const LANES: Condition = needed("lanes", "lanes");
-/// What decides how fast it runs.
+/// Conditions that decide the speed.
 const MACHINE: [Condition; 4] = [
     needed("cpu_model", "processor"),
     LANES,
     needed("num_cpus", "number of logical processors"),
     if_known("cores_physical", "number of cores"),
 ];
-/// What may explain a change.
+/// Conditions that may explain a change.
 const HINTS: [Condition; 2] = [
     if_known("rustc", "compiler"),
     if_known("features", "features"),
 ];
 
-/// Why two records cannot be compared in full; `times` if their times matter.
+/// Reasons for which two records cannot be compared in full; `times` if their times matter.
 #[must_use]
 pub fn obstacles(base: &Record, head: &Record, times: bool) -> Vec<String> {
     let mut obstacles = vec![];
@@ -69,7 +69,7 @@ pub fn obstacles(base: &Record, head: &Record, times: bool) -> Vec<String> {
     obstacles
 }
 
-/// What else differs and may explain a change.
+/// Other differences that may explain a change.
 #[must_use]
 pub fn notes(base: &Record, head: &Record) -> Vec<String> {
     let mut notes = differences(base, head, &HINTS, "note");
@@ -88,7 +88,7 @@ fn counts_instructions(record: &Record) -> bool {
     keys.any(|key| key.starts_with("instructions"))
 }
 
-/// What differs, or is needed and said by only one of the two.
+/// Conditions that differ, or are needed and given by only one of the two.
 fn differences(base: &Record, head: &Record, conditions: &[Condition], what: &str) -> Vec<String> {
     let said = |value: &Value| match value {
         Value::Null => "unknown".to_owned(),

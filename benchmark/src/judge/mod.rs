@@ -1,6 +1,6 @@
 //! Judges two records: results bit by bit, counts nearly exactly, time by pairs of runs.
 //!
-//! What cannot be compared is never green: it outranks everything else in the verdict.
+//! A pair that cannot be compared is never green: it outranks everything else in the verdict.
 
 mod case;
 pub mod change;
@@ -16,7 +16,7 @@ use crate::record::{Cases, Meaning, Record, Row};
 use change::Direction;
 use ledger::Ledger;
 
-/// What decides how records are judged.
+/// Options of the judge.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Rules<'a> {
     /// Leave times out: judge errors, orders and counts alone.
@@ -25,11 +25,11 @@ pub struct Rules<'a> {
     pub noise: Option<&'a Record>,
     /// Changes that were accepted, each with a reason.
     pub ledger: Option<&'a Ledger>,
-    /// Whether the ledger must name every difference, those for the better too.
+    /// True if the ledger must name every difference, those for the better too.
     pub strict: bool,
 }
 
-/// What is said of two records as a whole.
+/// Verdict on two records as a whole.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
     /// Everything could be compared and nothing got worse.
@@ -43,33 +43,33 @@ pub enum Verdict {
 /// Two records, compared.
 #[derive(Clone, Debug)]
 pub struct Comparison {
-    /// What stands in the way of a comparison of the whole.
+    /// Obstacles to a comparison of the whole.
     pub obstacles: Vec<String>,
-    /// What differs and may explain a change.
+    /// Differences that may explain a change.
     pub notes: Vec<String>,
     /// Case by case, in the order of HEAD, then those that HEAD lacks.
     pub findings: Vec<Finding>,
-    /// Which ladder was run, `quick` or `full`; empty for records of something else.
+    /// Ladder that was run, `quick` or `full`; empty for records of something else.
     pub ladder: String,
-    /// Whether times were there and left out.
+    /// True if times were there and left out.
     pub times_left_out: bool,
 }
 
-/// How many numbers and words of one meaning were compared.
+/// Number of compared numbers and words of one meaning.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tally {
-    /// Of which meaning.
+    /// Meaning of the numbers.
     pub meaning: Meaning,
-    /// Those that both records have.
+    /// Number of those that both records have.
     pub compared: usize,
-    /// Of these, those that are equal bit by bit.
+    /// Number of these that are equal bit by bit.
     pub equal: usize,
-    /// Those that only one of them has.
+    /// Number of those that only one of them has.
     pub alone: usize,
 }
 
 impl Comparison {
-    /// What was compared, meaning by meaning; those that neither record has are left out.
+    /// Compared numbers, meaning by meaning; those that neither record has are left out.
     #[must_use]
     pub fn tallies(&self) -> Vec<Tally> {
         let changes = || self.findings.iter().flat_map(|finding| &finding.changes);
@@ -153,7 +153,7 @@ pub fn compare(base: &Record, head: &Record, rules: &Rules<'_>) -> Comparison {
     }
 }
 
-/// What is said where there are no pairs of runs.
+/// Note where there are no pairs of runs.
 const ONCE: &str = "note: times were measured once and are not judged; scripts/compare-commits BASE measures two commits in \
                     pairs, and a folder with one record per pass is such a measurement, too";
 
@@ -172,9 +172,9 @@ pub fn compare_as_measured(base: &Record, head: &Record, rules: &Rules<'_>) -> C
     comparison
 }
 
-/// Whether all times of both records come from a single pass, so that there are no pairs to judge them by. Asked of records
-/// that somebody made without a thought of times, such as those of the main job; where one of them has passes, times are
-/// meant to be judged.
+/// True if all times of both records come from a single pass, so that there are no pairs to judge them by. Asked of records
+/// that somebody made without a thought of times, such as those of the main job; where one of them has passes, times are meant
+/// to be judged.
 #[must_use]
 pub fn measured_once(base: &Record, head: &Record) -> bool {
     let once = |record: &Record| {

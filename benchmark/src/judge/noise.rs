@@ -89,7 +89,7 @@ pub fn band(noise: &Record, case: &CaseKey) -> Option<f64> {
     row.counters.get(BAND).copied()
 }
 
-/// Whether a record holds bands at all.
+/// True if a record holds bands at all.
 #[must_use]
 pub fn holds_bands(noise: &Record) -> bool {
     noise.rows.iter().any(|row| row.counters.contains_key(BAND))

@@ -12,8 +12,9 @@
 //! A run on one thread computes and waits for nothing: its time on the processors is its time, and both rules judge it.
 //! With more threads the clock decides. The other of the two times is judged by the first rule alone.
 //!
-//! What neither rule shows is not yet the same. It is where a loss of a tenth would have been shown in nine of ten such
-//! measurements, and where the sides lie no farther apart than that; otherwise nothing can be said, which is not green.
+//! A time for which neither rule shows a change is not yet the same. It is where a loss of a tenth would have been shown in
+//! nine of ten such measurements, and where the sides lie no farther apart than that; otherwise nothing can be said, which is
+//! not green.
 
 use crate::record::Series;
 use crate::statistics::{mann_whitney, median, ratio_interval, signed_rank};
@@ -49,7 +50,7 @@ const CHANGES: [f64; 7] = [0.05, 0.07, 0.1, 0.15, 0.2, 0.3, USELESS];
 /// Share of the resamples in which a change is to be found.
 const FOUND: f64 = 0.9;
 
-/// What became of a time.
+/// Verdict on a time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Pace {
     /// No change that the pairs show.
@@ -62,17 +63,17 @@ pub enum Pace {
     Unclear,
 }
 
-/// Which time.
+/// Kind of time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Clock {
-    /// By the clock on the wall.
+    /// Time by the clock on the wall.
     Wall,
-    /// On the processors.
+    /// Time on the processors.
     Cpu,
 }
 
 impl Clock {
-    /// How it is called.
+    /// Name of the time.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -101,9 +102,9 @@ pub struct Time {
     pub chance: f64,
     /// Relative change below which nothing is said.
     pub tolerance: f64,
-    /// Whether there are many pairs, and a change of [`UNSEEN`] would be found in fewer than nine of ten such measurements.
+    /// True if there are many pairs, and a change of [`UNSEEN`] would be found in fewer than nine of ten such measurements.
     hides: bool,
-    /// What the pairs say.
+    /// Verdict of the pairs.
     pub pace: Pace,
     /// The time that shows it, of the two.
     pub shown_by: Clock,
@@ -112,7 +113,7 @@ pub struct Time {
 }
 
 impl Time {
-    /// What the pairs would say if every time of HEAD were multiplied by `factor`.
+    /// Verdict of the pairs if every time of HEAD were multiplied by `factor`.
     #[must_use]
     pub fn pace_at(&self, factor: f64) -> Pace {
         self.told_at(factor).0
@@ -125,7 +126,7 @@ impl Time {
         self.deciding.sees(self.deciding.list.len(), self.tolerance)
     }
 
-    /// Why nothing can be said of what is [`Pace::Unclear`].
+    /// Reason for which a time is [`Pace::Unclear`].
     pub(super) fn unclear(&self) -> String {
         let apart = self.deciding.apart();
         let mut reasons = vec![];
@@ -142,7 +143,7 @@ impl Time {
         hidden(&reasons.join(", and "))
     }
 
-    /// What the pairs show, in words: of which time, by how much, in how many of them.
+    /// Finding of the pairs, in words: the time, the change, and the number of pairs that show it.
     pub(super) fn said(&self, word: &str) -> String {
         let pairs = match &self.other {
             Some(other) if self.shown_by != self.clock => other,
@@ -180,18 +181,18 @@ impl Time {
         }
     }
 
-    /// Whether a loss of [`UNSEEN`] could hide in what shows no change.
+    /// True if a loss of [`UNSEEN`] could hide in times that show no change.
     fn is_unclear_at(&self, factor: f64) -> bool {
         self.hides || self.deciding.scaled(factor).apart() > 1.0 + UNSEEN
     }
 }
 
-/// How much noise hides.
+/// Words on a change that noise hides.
 fn hides(change: f64) -> String {
     format!("the noise hides every change below {:.0} %", 100.0 * change)
 }
 
-/// Why a time is not judged.
+/// Reason for which a time is not judged.
 fn hidden(reason: &str) -> String {
     format!("time: {reason}; measure more pairs or on a quiet machine, or leave times out")
 }
@@ -280,7 +281,7 @@ pub fn compare(base: &Series, head: &Series, band: Option<f64>) -> Result<Time, 
     Ok(time)
 }
 
-/// Whether all runs had one thread, which waits for nobody.
+/// True if all runs had one thread, which waits for nobody.
 fn alone(series: &Series) -> bool {
     series.threads.iter().eq(&[1])
 }
@@ -345,13 +346,13 @@ impl Pairs {
         }
     }
 
-    /// With the times of HEAD multiplied by `factor`.
+    /// Pairs with the times of HEAD multiplied by `factor`.
     fn scaled(&self, factor: f64) -> Self {
         let list = self.list.iter().map(|&(b, h)| (b, h + factor.ln()));
         self.with(list.collect())
     }
 
-    /// With the two sides exchanged.
+    /// Pairs with the two sides exchanged.
     fn turned(&self) -> Self {
         let list = self.list.iter().map(|&(b, h)| (h, b));
         self.with(list.collect())
@@ -378,7 +379,7 @@ impl Pairs {
         (sum / base.len().max(1) as f64).exp()
     }
 
-    /// How far apart the two sides lie: the median of the pairs, or the ratio of the fastest quarters if that is larger.
+    /// Distance of the two sides: the median of the pairs, or the ratio of the fastest quarters if that is larger.
     fn apart(&self) -> f64 {
         let median = median(&self.ratios()).unwrap_or(1.0);
         if self.list.len() < MANY {
@@ -387,7 +388,7 @@ impl Pairs {
         median.max(self.fastest())
     }
 
-    /// What both rules say.
+    /// Verdict of both rules.
     fn pace(&self, tolerance: f64) -> Pace {
         let slower = |pairs: &Self| {
             pairs.nearly_all_slower(tolerance) || pairs.fastest_are_slower(tolerance)
@@ -395,7 +396,7 @@ impl Pairs {
         self.either(slower)
     }
 
-    /// What the first rule says.
+    /// Verdict of the first rule.
     fn pace_of_pairs(&self, tolerance: f64) -> Pace {
         self.either(|pairs| pairs.nearly_all_slower(tolerance))
     }
@@ -462,7 +463,7 @@ impl Pairs {
             .collect()
     }
 
-    /// Whether a change is found in nine of ten of them.
+    /// True if a change is found in nine of ten of them.
     fn finds(resamples: &[Self], change: f64, tolerance: f64) -> bool {
         let slower = |pairs: &&Self| pairs.scaled(1.0 + change).pace(tolerance) == Pace::Slower;
         resamples.iter().filter(slower).count() as f64 >= FOUND * RESAMPLES as f64

@@ -15,7 +15,7 @@ const COURANT_SWEEP: [f64; 3] = [0.5, 0.25, 0.125];
 /// Particles per cell and axis that are tried at one cell size.
 const PARTICLES_SWEEP: [usize; 3] = [1, 3, 4];
 
-/// How much is run.
+/// Amount of runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Effort {
     /// Length of the paths; the short one leaves out the sweeps and all but the usual methods.

@@ -9,7 +9,7 @@ pub struct At {
     pub time: f64,
 }
 
-/// What it takes along a line to bring the error down to a level.
+/// Time that brings the error down to a level along a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Cost {
     /// About this run time \[s\], interpolated between two runs.
@@ -70,7 +70,7 @@ fn interpolated(before: At, here: At, level: f64) -> f64 {
     (before.time.ln() + share * (here.time / before.time).ln()).exp()
 }
 
-/// Which points no other point beats in both error and time, by increasing time.
+/// Points that no other point beats in both error and time, by increasing time.
 #[must_use]
 pub fn pareto(points: &[Option<At>]) -> Vec<usize> {
     let mut order: Vec<(usize, At)> = points

@@ -16,7 +16,7 @@ const SOLVER: &str = "executable";
 pub struct Costs {
     /// Name of the case.
     pub case: String,
-    /// Which error.
+    /// Error that is measured.
     pub measure: String,
     /// The methods, in the order of the record.
     pub lines: Vec<CostLine>,
@@ -133,8 +133,8 @@ pub fn times(factor: f64) -> String {
     format!("{factor:.1}×")
 }
 
-/// Which methods reach a level at the least processor time, and for how many errors, the most first and then by their names;
-/// and how many errors no method brings so far down.
+/// Methods that reach a level at the least processor time, with the number of errors, the most first and then by their names;
+/// and the number of errors that no method brings so far down.
 #[must_use]
 pub fn winners(all: &[Costs], level: usize) -> (Vec<(&str, usize)>, usize) {
     let mut counts: BTreeMap<&str, usize> = BTreeMap::new();

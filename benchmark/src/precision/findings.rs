@@ -9,7 +9,7 @@ use proctor_verification::settings::Method;
 /// Levels of relative error whose cost is told.
 pub const LEVELS: [f64; 2] = [0.01, 0.001];
 
-/// What a study says of one measure.
+/// Findings of a study on one measure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Findings {
     /// Lines, in the order of the plan.
@@ -18,7 +18,7 @@ pub struct Findings {
     pub front: Vec<usize>,
 }
 
-/// What one line says.
+/// Findings on one line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LineFindings {
     /// Method.
@@ -49,7 +49,7 @@ impl LineFindings {
 }
 
 impl Findings {
-    /// What the runs say of a measure, by its number.
+    /// Findings of the runs on a measure, by its number.
     #[must_use]
     pub fn new(studied: &CaseStudy, measure: usize) -> Self {
         let at: Vec<Option<At>> = studied
@@ -96,7 +96,7 @@ impl Findings {
             .find(|line| line.method == Method::DEFAULT)
     }
 
-    /// How many times faster the cheapest line reaches a level than the default method.
+    /// Speed-up of the cheapest line that reaches a level, over the default method.
     #[must_use]
     pub fn speed_up(&self, level: usize) -> Option<f64> {
         let default = self.default_line()?.costs[level].seconds()?;

@@ -23,7 +23,7 @@ pub(crate) const AXES: usize = 3;
 pub struct Peer {
     /// The executable.
     pub executable: Executable,
-    /// What is known of its frames, or why it is not to be trusted.
+    /// Calibration of its frames, or the reason for which it is not to be trusted.
     pub calibration: Result<Calibration, String>,
 }
 
@@ -130,7 +130,7 @@ pub fn stays(order: Option<f64>, error: f64) -> Option<&'static str> {
     )
 }
 
-/// Has this program and each executable run the free fall, and adds a row for each to `rows`.
+/// Calibrates this program and each executable by the free fall, and adds a row for each to `rows`.
 pub fn calibrated(
     executables: Vec<Executable>,
     threads: usize,
@@ -159,7 +159,7 @@ pub fn calibrated(
 /// interrupt does.
 ///
 /// # Errors
-/// Why other solvers cannot run it.
+/// If other solvers cannot run it.
 pub fn run(
     study: Study,
     peers: &[Peer],
@@ -193,10 +193,10 @@ pub struct Visit<'a> {
     pub stop: &'a AtomicBool,
 }
 
-/// As [`run`], as a visit says.
+/// Runs a study as [`run`], as a visit says.
 ///
 /// # Errors
-/// Why other solvers cannot run it.
+/// If other solvers cannot run it.
 pub fn run_as(study: Study, peers: &[Peer], visit: &Visit<'_>) -> Result<Vec<PeerLine>, String> {
     let Visit {
         effort,

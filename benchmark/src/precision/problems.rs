@@ -109,7 +109,7 @@ fn problem(
 /// The relative error of frames that lie in a folder, on a run of a case.
 ///
 /// # Errors
-/// Why there is none.
+/// If there is none.
 pub fn judge(study: Study, rung: &Rung, frames: &Path) -> Result<f64, String> {
     let guest = study.guest(rung)?;
     let handed = GuestScene::new(&guest)?;

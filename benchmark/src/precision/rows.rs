@@ -24,7 +24,7 @@ fn name(case: &str, choice: &Choice) -> String {
     format!("{line}/h={:.4e}/{}", choice.rung.cell, numbers(choice))
 }
 
-/// What runs have in common that differ in resolution alone.
+/// Name of the runs that differ in resolution alone.
 fn ladder(case: &str, choice: &Choice) -> String {
     let line = line_name(case, choice.settings.method);
     format!("{line}/{}", numbers(choice))
@@ -106,7 +106,7 @@ fn sample_row(blank: Row, run: &Run, sample: &Sample) -> Row {
     row
 }
 
-/// What is known of a repetition without its times.
+/// Row of a repetition without its times.
 fn blank_row(
     studied: &CaseStudy,
     choice: &Choice,

@@ -16,14 +16,14 @@ pub(super) const LONG: Duration = Duration::from_secs(2);
 /// Relative error above which a result says less than no answer at all would, so that the run counts as failed.
 pub const USELESS: f64 = 1.0;
 
-/// What is said of a run that did not take place.
+/// Word for a run that did not take place.
 const NOT_RUN: &str = "not run";
 
 /// A case that was studied.
 pub struct CaseStudy {
     /// The case.
     pub study: Study,
-    /// What was to be run.
+    /// Plan of the run.
     pub plan: Plan,
     /// One run per choice of the plan; fewer where the user stopped it.
     pub runs: Vec<Run>,
@@ -31,7 +31,7 @@ pub struct CaseStudy {
     pub threads: usize,
     /// Other solvers on the problem of the case; none where none was asked for.
     pub peers: Vec<PeerLine>,
-    /// Why other solvers cannot run it, where they were asked for.
+    /// Reason for which other solvers cannot run it, where they were asked for.
     pub no_peers: Option<String>,
 }
 
@@ -67,7 +67,7 @@ impl CaseStudy {
 pub struct Run {
     /// One sample per repetition.
     pub samples: Vec<Sample>,
-    /// What was found, the same in every repetition; or why the run failed.
+    /// Numbers of the run, the same in every repetition; or its failure.
     pub found: Result<RunNumbers, String>,
 }
 
@@ -76,7 +76,7 @@ pub struct Run {
 pub struct Sample {
     /// The stepping loop.
     pub stepping: Spent,
-    /// What came before it.
+    /// Time before the run.
     pub set_up: Spent,
     /// Comparison with the exact solution.
     pub comparing: Spent,
@@ -211,7 +211,7 @@ pub fn run(
     }
 }
 
-/// Why the run before on the path of refinement failed, where it did: on finer cells it would take longer to fail.
+/// Failure of the run before on the path of refinement, if it failed: on finer cells it would take longer to fail.
 fn failed_before(plan: &Plan, runs: &[Run], choice: usize) -> Option<String> {
     let before = plan.lines.iter().find_map(|line| {
         let at = line.path.iter().position(|&i| i == choice)?;

@@ -5,7 +5,7 @@ use proctor_verification::case::Size;
 const SHORT: &str = include_str!("../../../fixtures/expected/short-ladders.csv");
 const FULL: &str = include_str!("../../../fixtures/expected/full-ladders.csv");
 
-/// What is expected of a case that was never kept \[s\], and the least of any.
+/// Time of a case that was never kept \[s\], and the least of any.
 const UNKNOWN: f64 = 2.0;
 const LEAST: f64 = 0.05;
 

@@ -30,11 +30,11 @@ pub fn above<T>(write: impl FnOnce() -> T) -> T {
     BARS.suspend(write)
 }
 
-/// How far some work has come, and how long the rest takes, shown on standard error.
+/// Progress of some work, and the time of the rest, shown on standard error.
 pub struct Progress {
     bar: ProgressBar,
     begun: Instant,
-    /// What all of it takes \[s\], where somebody knows.
+    /// Time of all of it \[s\], if it is known.
     expected: Option<f64>,
     shown: u64,
 }
@@ -91,7 +91,7 @@ impl Drop for Progress {
 
 /// Work of several parts, which may run side by side, as one line.
 pub struct Whole {
-    /// What each part is expected to take \[s\].
+    /// Expected time of each part \[s\].
     weights: Vec<f64>,
     state: Mutex<State>,
 }

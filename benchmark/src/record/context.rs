@@ -1,4 +1,4 @@
-//! Where and how a record was measured.
+//! Circumstances in which a record was measured.
 
 use super::machine;
 use proctor_kernel::lanes::Selected;
@@ -45,7 +45,7 @@ pub fn now(options: &Options) -> Value {
     context
 }
 
-/// Those features of the processor that lanes and multiply-add depend on, as found on this machine.
+/// Features of the processor that lanes and multiply-add depend on, as found on this machine.
 #[cfg(target_arch = "x86_64")]
 fn detected() -> Vec<&'static str> {
     let features = [

@@ -27,7 +27,7 @@ pub struct Details {
     /// Plans of scenes.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub plans: Vec<PlanDetail>,
-    /// Where each method is stable.
+    /// Stability of each method.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stability: Option<StabilityDetail>,
     /// Scenes with error bars.
@@ -64,9 +64,9 @@ pub struct GateDetail {
     pub relation: String,
     /// The bound.
     pub bound: f64,
-    /// Why this bound.
+    /// Reason of the bound.
     pub reason: String,
-    /// Whether it is kept.
+    /// True if it holds.
     pub passed: bool,
 }
 
@@ -110,7 +110,7 @@ impl GateDetail {
 /// A picture.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Figure {
-    /// What it shows, below it.
+    /// Caption of the picture.
     pub caption: String,
     /// Its points, axes and legend.
     pub chart: Chart,
@@ -123,13 +123,13 @@ pub struct StudyDetail {
     pub case: String,
     /// The question it answers.
     pub question: String,
-    /// Which error.
+    /// Error that is measured.
     pub measure: String,
     /// Error against run time, and convergence of the best lines.
     pub figures: Vec<Figure>,
     /// Lines by their cost, the best first; the headings are the first line.
     pub table: Vec<Vec<String>>,
-    /// What is best for which error.
+    /// Best method for each error.
     pub findings: Vec<String>,
 }
 
@@ -142,7 +142,7 @@ pub struct PlanDetail {
     pub plan: Value,
 }
 
-/// What the chart of error against time shows.
+/// Caption of the chart of error against time.
 fn caption(studied: &CaseStudy, measure: usize) -> String {
     let methods = "Error against the time of the stepping loop. Lines refine the mesh, dots change the Courant number or \
                    the particles per cell, the broad band joins the runs that no other beats in both.";
@@ -156,7 +156,7 @@ fn caption(studied: &CaseStudy, measure: usize) -> String {
 }
 
 impl Details {
-    /// Whether there is nothing to say.
+    /// True if there is nothing to print.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.cases.is_empty()
@@ -298,7 +298,7 @@ pub(crate) fn gate(gate: &Gate) -> GateDetail {
     }
 }
 
-/// What a chart of a curve shows.
+/// Caption of a chart of a curve.
 fn shown(curve: &Curve) -> &'static str {
     if curve.has_exact() {
         "computed against exact"

@@ -11,7 +11,7 @@ const CASES: &str = "cases";
 /// Name of the aggregate that is the verdict of a case.
 pub(super) const VERDICT: &str = "verdict";
 
-/// How far a record is with a case.
+/// Stage of a record with a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CaseState {
     /// Not all of its runs are there.
@@ -56,7 +56,7 @@ impl Record {
         }
     }
 
-    /// How far the record is with the ladder of a case.
+    /// Stage of the record with the ladder of a case.
     #[must_use]
     pub fn case_state(&self, case: &Case, size: Size) -> CaseState {
         let rows: Vec<&Row> = self
@@ -89,7 +89,7 @@ impl Record {
         gates.filter(|row| is_aggregate(row, GATE)).count()
     }
 
-    /// Whether the record holds anything but cases of these names.
+    /// True if the record holds anything but cases of these names.
     #[must_use]
     pub fn holds_more_than(&self, cases: &[&str]) -> bool {
         let known = |row: &Row| cases.iter().any(|case| is_of(row, case));
@@ -123,7 +123,7 @@ impl Record {
     }
 }
 
-/// Whether a row belongs to a case: its runs are called `case/run`, its gates `case: gate`, its verdict as the case.
+/// True if a row belongs to a case: its runs are called `case/run`, its gates `case: gate`, its verdict as the case.
 fn is_of(row: &Row, case: &str) -> bool {
     let rest = row.name.strip_prefix(case);
     rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('/') || rest.starts_with(": "))

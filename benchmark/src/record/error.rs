@@ -1,4 +1,4 @@
-//! Why a record cannot be read.
+//! Errors of a record that cannot be read.
 
 use std::fmt;
 use std::io;
@@ -11,11 +11,11 @@ pub struct RecordError {
     pub path: PathBuf,
     /// Line from 1, where the fault has one.
     pub line: Option<usize>,
-    /// What was found.
+    /// Fault that was found.
     pub reason: Reason,
 }
 
-/// What is wrong with a record.
+/// Fault of a record.
 #[derive(Debug)]
 pub enum Reason {
     /// The file cannot be read.

@@ -29,7 +29,7 @@ pub enum Format {
     Critcmp,
     /// Comma-separated values, a line per row.
     Csv,
-    /// What each gate found and its bound, as Markdown.
+    /// Value and bound of each gate, as Markdown.
     Gates,
     /// A test per gate, as JUnit XML.
     Junit,
@@ -39,7 +39,7 @@ pub enum Format {
     Badge,
 }
 
-/// Why a record cannot be exported.
+/// Reason for which a record cannot be exported.
 #[derive(Debug)]
 pub enum ExportError {
     /// Nothing in the record has a place in the format.
@@ -102,7 +102,7 @@ fn counters<'a>(
 /// Keys of counters for which less is better.
 const LESS: [&str; 4] = ["error_", "instructions", "steps", "bytes_per_"];
 
-/// What a counter is measured as; Bencher sets its alarms by measure.
+/// Measure of each counter; Bencher sets its alarms by measure.
 const MEASURES: [(&str, &str); 5] = [
     ("error_", "error"),
     ("observed_order", "observed-order"),

@@ -78,8 +78,8 @@ impl Record {
         Ok(())
     }
 
-    /// What tells two records apart that cannot be one, as they come from other programs or machines: a key, and what stands
-    /// there in this one and in the other.
+    /// Difference of two records that cannot be one, as they come from other programs or machines: a key, and its value in this
+    /// one and in the other.
     #[must_use]
     pub fn differs_from(&self, other: &Self) -> Option<[String; 3]> {
         let of = |record: &Self, key: &str| record.context[key].to_string();

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Where the system describes its processors.
+/// Folder in which the system describes its processors.
 const PROCESSORS: &str = "/sys/devices/system/cpu";
 
 /// Adds what is known of the machine to a context, under the keys of Google Benchmark where it has one.
@@ -67,7 +67,7 @@ fn cores(processors: &[PathBuf]) -> Option<usize> {
     (!cores.is_empty()).then_some(cores.len())
 }
 
-/// Whether the clock of a processor may be changed to save power.
+/// True if the clock of a processor may be changed to save power.
 fn scaling(processors: &[PathBuf]) -> Option<bool> {
     let governors: Vec<String> = processors
         .iter()
@@ -104,7 +104,7 @@ fn size(text: &str) -> Option<u64> {
     Some(number.parse::<u64>().ok()? * unit)
 }
 
-/// How many processors a list such as `0-3,8` names.
+/// Number of processors that a list such as `0-3,8` names.
 fn listed(list: &str) -> u64 {
     list.split(',')
         .map(|part| match part.split_once('-') {

@@ -2,7 +2,7 @@
 
 use super::row::{GATE_BOUND, GATE_SIDE, GATE_VALUE, VERDICT};
 
-/// What a counter or a label of a row stands for, and with it how two records are compared in it.
+/// Meaning of a counter or a label of a row, which decides how two records are compared in it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Meaning {
     /// Relative error (`error_…`): less is better.
@@ -13,21 +13,21 @@ pub enum Meaning {
     Uncertainty,
     /// Convergence of a refined quantity (the label `verdict` of a bar): a quantity that leaves `asymptotic` is worse.
     Settling,
-    /// What should be zero and has no scale to be relative to (`balance_…`): less is better.
+    /// Number that should be zero and has no scale to be relative to (`balance_…`): less is better.
     Balance,
-    /// What was computed (`value_…`, the time that was reached, the time step): neither is better.
+    /// Result (`value_…`, the time that was reached, the time step): neither side is better.
     Figure,
-    /// What it should have been (`exact_…`): neither is better.
+    /// Exact value of a result (`exact_…`): neither side is better.
     Reference,
-    /// What a gate found (`gate_value`): the gate's side says what is better.
+    /// Value that a gate found (`gate_value`): the gate's side decides which is better.
     GateValue,
     /// The bound of a gate (`gate_bound`): the tighter, the better.
     GateBound,
-    /// On which side of its bound a gate's value must lie (the label `gate_side`).
+    /// Side of its bound on which a gate's value must lie (the label `gate_side`).
     GateSide,
     /// Count of work or bytes (`instructions…`, `steps`, `bytes_per_…`, `node_bytes`): less is better.
     Count,
-    /// What is solved (`particles`, `cell_size`, settings): another value is another case.
+    /// Problem that is solved (`particles`, `cell_size`, settings): another value is another case.
     Setting,
     /// Hash of the final state (the label `state_hash`).
     Hash,
@@ -53,7 +53,7 @@ impl Meaning {
         Self::Hash,
     ];
 
-    /// What a counter is.
+    /// Meaning of a counter.
     #[must_use]
     pub fn of(key: &str) -> Self {
         match key {
@@ -74,7 +74,7 @@ impl Meaning {
         }
     }
 
-    /// What a label is.
+    /// Meaning of a label.
     #[must_use]
     pub fn of_label(key: &str) -> Self {
         match key {

@@ -48,11 +48,11 @@ const LADDERS: &str = "ladders";
 /// A record of one invocation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Record {
-    /// Where and how it was measured, a JSON object.
+    /// Circumstances of the measurement, a JSON object.
     pub context: Value,
     /// Rows in the order in which they were measured.
     pub rows: Vec<Row>,
-    /// What does not fit into flat rows.
+    /// Details that do not fit into flat rows.
     pub details: Details,
 }
 
@@ -81,7 +81,7 @@ impl Record {
         self.context[LADDERS] = word.into();
     }
 
-    /// Which ladders of the cases were run, `quick` or `full`; none for records of something else.
+    /// Ladders of the cases that were run, `quick` or `full`; none for records of something else.
     #[must_use]
     pub fn ladder(&self) -> Option<&str> {
         self.context[LADDERS].as_str()
@@ -98,7 +98,7 @@ impl Record {
         }
     }
 
-    /// Whether the record lacks what was asked for.
+    /// True if the record lacks a part that was asked for.
     #[must_use]
     pub fn incomplete(&self) -> bool {
         self.context[INCOMPLETE] == true

@@ -190,7 +190,7 @@ impl<'de> Visitor<'de> for RowVisitor {
     }
 }
 
-/// What a row holds, key by key.
+/// Values of a row, key by key.
 #[derive(Default)]
 struct Fields {
     words: BTreeMap<String, String>,
@@ -347,7 +347,7 @@ fn is_flag(key: &str) -> bool {
     key == "error_occurred" || key == "skipped"
 }
 
-/// What may stand under a key.
+/// Values that are accepted under a key.
 fn accepted(key: &str) -> &'static str {
     if WHOLE.contains(&key) {
         "a whole number from 0"

@@ -11,9 +11,9 @@ use std::sync::LazyLock;
 /// A part of names that changed.
 #[derive(Debug)]
 pub struct Renaming {
-    /// As it stands in old records.
+    /// Name in old records.
     pub old: String,
-    /// As it stands in new ones.
+    /// Name in new ones.
     pub new: String,
 }
 

@@ -21,17 +21,17 @@ pub(crate) const PASS: &str = "pass";
 /// Number of threads of a row whose scene decides it, as far as the machine has them.
 pub const BY_SCENE: usize = 0;
 
-/// What a row stands for.
+/// Kind of a row.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// One timed run; `repetition` counts the runs of the same name from 0.
     Sample {
-        /// Which repetition.
+        /// Number of the repetition.
         repetition: u64,
     },
-    /// What was found from the samples of the same name, such as a verdict or a noise band.
+    /// Result from the samples of the same name, such as a verdict or a noise band.
     Aggregate {
-        /// Which aggregate.
+        /// Name of the aggregate.
         name: String,
     },
 }
@@ -39,7 +39,7 @@ pub enum Kind {
 /// One row of a record. Counters and labels are flat keys of the JSON row, beside the keys of Google Benchmark.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// What was run, `case/variant/...`; rows with the same name are repetitions of each other.
+    /// Name of the run, `case/variant/...`; rows with the same name are repetitions of each other.
     pub name: String,
     /// Sample or aggregate.
     pub kind: Kind,
@@ -53,7 +53,7 @@ pub struct Row {
     pub counters: BTreeMap<String, f64>,
     /// Words by key: scheme, weighting function, state hash.
     pub labels: BTreeMap<String, String>,
-    /// Why the run failed.
+    /// Failure of the run.
     pub error: Option<String>,
 }
 
@@ -86,7 +86,7 @@ impl Row {
         }
     }
 
-    /// With the time of the run.
+    /// Sets the time of the run.
     #[must_use]
     pub fn timed(mut self, spent: Spent) -> Self {
         self.spent = Some(spent);
@@ -119,7 +119,7 @@ impl Row {
         Some(spent.cpu.as_secs_f64() / self.iterations as f64)
     }
 
-    /// In which pass the run was made, from 0: passes are interleaved rounds over all that is compared. A row without
+    /// Sets the pass in which the run was made, from 0: passes are interleaved rounds over all that is compared. A row without
     /// the counter `pass` belongs to pass 0.
     #[must_use]
     pub fn pass(&self) -> u64 {

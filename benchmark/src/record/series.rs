@@ -11,7 +11,7 @@ use std::fmt;
 pub struct CaseKey {
     /// Name of the rows.
     pub name: String,
-    /// Which aggregate; `None` for samples.
+    /// Name of the aggregate; `None` for samples.
     pub aggregate: Option<String>,
 }
 
@@ -52,7 +52,7 @@ pub struct Series {
     pub labels: BTreeMap<String, BTreeSet<String>>,
     /// Rows with the same ladder differ in resolution alone.
     pub ladder: Option<String>,
-    /// Why runs failed.
+    /// Failures of the runs.
     pub errors: BTreeSet<String>,
 }
 
@@ -84,7 +84,7 @@ impl Series {
         self.wall.values().flatten().copied().collect()
     }
 
-    /// Why the runs failed, in one line; `None` where none did.
+    /// Failures of the runs, in one line; `None` where none did.
     #[must_use]
     pub fn failure(&self) -> Option<String> {
         let errors: Vec<&str> = self.errors.iter().map(String::as_str).collect();

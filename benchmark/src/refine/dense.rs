@@ -19,7 +19,7 @@ pub struct Dense {
 }
 
 impl Dense {
-    /// Of a history whose first row, at the start, is there.
+    /// History whose first row, at the start, is there.
     pub fn new(interval: f64) -> Self {
         Self {
             interval,

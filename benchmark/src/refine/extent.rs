@@ -16,7 +16,7 @@ pub struct Extents {
 }
 
 impl Extents {
-    /// Of the bodies of a simulation whose law yields or is a fluid, where there is gravity.
+    /// Extent of the bodies of a simulation whose law yields or is a fluid, where there is gravity.
     #[must_use]
     pub fn new(simulation: &Simulation) -> Self {
         let scene = simulation.scene();

@@ -125,7 +125,7 @@ impl QuantityBar {
 }
 
 impl SceneBars {
-    /// With fields of the particles, at the end of the judged time. Those that cannot be compared are left out.
+    /// Adds fields of the particles, at the end of the judged time. Those that cannot be compared are left out.
     #[must_use]
     pub fn with_fields(mut self, fields: &[Field], runs: &[MeshRun]) -> Self {
         let [.., coarse, middle, fine] = runs else {

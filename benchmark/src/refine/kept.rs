@@ -39,7 +39,7 @@ pub const SCENES: [KeptScene; 5] = [
     scene!("swing", 1, true),
 ];
 
-/// Those that the main job refines.
+/// Scenes that the main job refines.
 pub const OF_MAIN_JOB: [KeptScene; 2] = [SCENES[2], SCENES[3]];
 
 impl KeptScene {

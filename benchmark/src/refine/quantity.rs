@@ -17,7 +17,7 @@ pub struct Quantity {
 /// The time or part of a history that gives a number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum QuantityTime {
-    /// At the end of the judged time.
+    /// The end of the judged time.
     End,
     /// Its largest value.
     Max,
@@ -27,7 +27,7 @@ pub enum QuantityTime {
     Late,
     /// The growth over the last fifth over its time: of an impulse the mean force \[N\].
     LateRate,
-    /// At a time \[s\].
+    /// A time \[s\].
     At(f64),
 }
 
@@ -61,7 +61,7 @@ impl Quantity {
         }
     }
 
-    /// From `NAME=COLUMN@WHEN`.
+    /// Parses `NAME=COLUMN@WHEN`.
     ///
     /// # Errors
     /// The accepted forms.

@@ -56,7 +56,7 @@ enum Pause {
 }
 
 impl MeshRun {
-    /// Of a scene that never began, since a stage before it failed or was interrupted.
+    /// Run of a scene that never began, since a stage before it failed or was interrupted.
     fn without_steps(
         scene: &Scene,
         spent: Spent,

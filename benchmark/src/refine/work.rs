@@ -13,9 +13,9 @@ use std::sync::{Mutex, PoisonError};
 /// The runs that were made.
 #[derive(Clone, Debug, Default)]
 pub struct Runs {
-    /// On the meshes, coarse to fine.
+    /// Runs on the meshes, coarse to fine.
     pub meshes: Vec<MeshRun>,
-    /// On the middle mesh, moved.
+    /// Runs on the middle mesh, moved.
     pub moved: Vec<MeshRun>,
     /// Axes along which it was moved, in letters.
     pub along: Vec<&'static str>,
@@ -53,7 +53,7 @@ pub struct Work<'a> {
     pub name: &'a str,
     /// The scenes.
     pub scenes: &'a [Scene],
-    /// For each of them the stages before it on the same mesh; empty where there are none.
+    /// Stages before each of them on the same mesh; empty where there are none.
     pub earlier: &'a [Vec<Scene>],
     /// Number of places of the middle mesh beside its own.
     pub offsets: usize,

@@ -7,7 +7,7 @@ use crate::precision::costs::{most_often, times, winners};
 use crate::show::number;
 use crate::statistics::median;
 
-/// What the words of a method mean, for who sees them for the first time.
+/// Explanation of the words of a method, for a reader who sees them for the first time.
 pub const METHODS: &str = "A method is three choices. Weighting function, by which particles meet the nodes of the grid: \
     linear, uGIMP (each particle a box of its first size), cpGIMP (a box that stretches with its material), B-spline \
     (quadratic). Time of the stress update: USL (last in a step), MUSL (last, from velocities mapped a second time), USF \
@@ -35,7 +35,7 @@ fn first_of_each(all: &[Costs]) -> Vec<&Costs> {
     first
 }
 
-/// What all of it says in a number and a sentence.
+/// Summary of the table in a number and a sentence.
 #[must_use]
 pub fn headline(all: &[Costs]) -> Option<[String; 2]> {
     let first = first_of_each(all);

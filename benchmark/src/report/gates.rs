@@ -8,7 +8,7 @@ use crate::show::{number, percent, summary};
 /// Gates that are shown as the nearest to their bounds.
 const NEAREST: usize = 5;
 
-/// How the numbers of a gate are written.
+/// Format of the numbers of a gate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Unit {
     /// A relative error, or one thing over another.
@@ -20,7 +20,7 @@ enum Unit {
 }
 
 impl Unit {
-    /// That of a gate of a case, which its name tells: what is no order, no force and no count is relative.
+    /// Format of a gate of a case, which its name tells: a number that is no order, no force and no count is relative.
     fn of_case(name: &str) -> Self {
         if name.contains("observed order") || name.contains("largest number of") {
             Self::Plain
@@ -40,7 +40,7 @@ impl Unit {
     }
 }
 
-/// What a gate found, and its bound.
+/// Value that a gate found, and its bound.
 fn found_and_bound(gate: &GateDetail, unit: Unit) -> [String; 2] {
     [
         gate.value
@@ -54,12 +54,12 @@ pub fn value_of_case(name: &str, value: f64) -> String {
     Unit::of_case(name).written(value)
 }
 
-/// What a gate of a case found, and its bound.
+/// Value that a gate of a case found, and its bound.
 pub fn of_case(gate: &GateDetail) -> [String; 2] {
     found_and_bound(gate, Unit::of_case(&gate.name))
 }
 
-/// What a gate found of which nothing is relative, and its bound.
+/// Value that a gate found of which nothing is relative, and its bound.
 pub fn plain(gate: &GateDetail) -> [String; 2] {
     found_and_bound(gate, Unit::Plain)
 }

@@ -147,7 +147,7 @@ impl Table {
         }
     }
 
-    /// Whether it has no rows.
+    /// True if it has no rows.
     pub fn is_empty(&self) -> bool {
         self.rows.is_empty()
     }
@@ -214,7 +214,7 @@ impl Table {
     }
 }
 
-/// Whether a cell is a number, with its unit or out of another, and is to be aligned as one.
+/// True if a cell is a number, with its unit or out of another, and is to be aligned as one.
 fn is_number(cell: &str) -> bool {
     let first = cell.split_whitespace().next().unwrap_or_default();
     let of_number = |c: char| c.is_ascii_digit() || ".,+-e×%".contains(c);
@@ -226,7 +226,7 @@ fn is_number(cell: &str) -> bool {
         && cell.len() < SHORT
 }
 
-/// What stands behind a line that unfolds it.
+/// Content behind a line that unfolds it.
 #[must_use]
 pub fn folded(summary: &str, body: &str) -> String {
     format!(

@@ -5,7 +5,7 @@ use crate::record::Record;
 use crate::record::details::PlanDetail;
 use crate::show::rounded;
 
-/// What stands above plans.
+/// Text above plans.
 const WHAT: &str = "A scene pays for what it uses: what is left out is never called, and its fields are never allocated.";
 
 /// The plans of the scenes of a case, folded.

@@ -32,8 +32,8 @@ pub struct Since<'a> {
 struct Line<'a> {
     finding: &'a Finding,
     change: &'a Change,
-    /// How much worse, over what it was, for an order by how much; negative where it is better. None of what has no size,
-    /// such as a failure.
+    /// Loss over the value before, for an order the loss itself; negative where it is better. None of what has no size, such as
+    /// a failure.
     loss: Option<f64>,
 }
 
@@ -50,7 +50,7 @@ impl<'a> Line<'a> {
         }
     }
 
-    /// What was found, relative errors in per cent.
+    /// Value that was found, relative errors in per cent.
     fn written(&self, found: &RecordedValue) -> String {
         let name = self.finding.case.name.as_str();
         match (self.change.meaning, found) {
@@ -104,7 +104,7 @@ impl<'a> Since<'a> {
         }
     }
 
-    /// What the judge says.
+    /// Verdict of the judge.
     #[must_use]
     pub fn comparison(&self) -> &Comparison {
         &self.comparison
@@ -115,7 +115,7 @@ impl<'a> Since<'a> {
         findings.filter(|f| f.verdict == verdict).count()
     }
 
-    /// What moved that way, the largest change first; what has no size comes before all else.
+    /// Lines that moved that way, the largest change first; lines without a size come before all else.
     fn moved(&self, way: Direction) -> Vec<Line<'_>> {
         let findings = self.comparison.findings.iter();
         let mut lines: Vec<Line<'_>> = findings
@@ -128,7 +128,7 @@ impl<'a> Since<'a> {
         lines
     }
 
-    /// What a number is, in words.
+    /// Name of a number, in words.
     fn name(&self, change: &Change) -> String {
         let key = change.number.as_str();
         let told = |prefix: &str, word: &str| {
@@ -181,7 +181,7 @@ impl<'a> Since<'a> {
         table
     }
 
-    /// What has no size: failures, words.
+    /// Lines without a size: failures, words.
     fn words<'b>(&self, caption: &str, lines: impl Iterator<Item = &'b Line<'b>>) -> Table {
         let mut table = Table::new(caption, &["case", "what", "before", "now"]);
         for line in lines {

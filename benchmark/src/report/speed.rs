@@ -23,7 +23,7 @@ pub struct Speed {
     shares: [Option<f64>; 2],
 }
 
-/// What the shares are of.
+/// Bases of the shares.
 const FLOORS: [&str; 2] = ["arithmetic", "memory"];
 
 impl Speed {
@@ -244,7 +244,7 @@ pub fn section(record: &Record, pictures: &mut Pictures) -> Option<Section> {
     })
 }
 
-/// What the machine was measured to do at most.
+/// Measured peaks of the machine.
 fn peaks(record: &Record) -> String {
     let mut text = String::new();
     for row in &record.rows {

@@ -1,4 +1,4 @@
-//! Where each method is stable.
+//! Stability of each method.
 
 use super::gates;
 use super::html::{Section, Table, escape, folded, paragraph};
@@ -8,11 +8,11 @@ use crate::show::{number, picture};
 use crate::stability::{ExtremeDetail, StabilityCell, StabilityDetail};
 use std::fmt::Write as _;
 
-/// What c dt/h is.
+/// Meaning of c dt/h.
 const COURANT: &str =
     "c dt/h: the way that a wave (speed c) goes in a time step (dt), in cells (size h).";
 
-/// Whether a gate of stability does not hold, or something could not be done.
+/// True if a gate of stability does not hold, or something could not be done.
 #[must_use]
 pub fn failing(record: &Record) -> bool {
     let detail = record.details.stability.as_ref();

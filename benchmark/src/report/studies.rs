@@ -6,13 +6,13 @@ use crate::record::details::StudyDetail;
 use crate::record::{Kind, Record};
 use std::fmt::Write as _;
 
-/// What the columns of the table are.
+/// Legend of the columns of the table.
 const COLUMNS: &str = "Combination: weighting function, time of the stress update, transfer. C: the time step as c dt/h (wave \
     speed, time step, cell size). Finest: relative error of the finest run, whose particles, steps, clock (wall) and processor \
     time (CPU) follow. Order: by which power of the cell size the error fell between the two finest runs. For 1 %, for \
     0.1 %: time to that error, interpolated between two runs and never beyond them; ≤: the first run had it; a dash: no run had.";
 
-/// What a mark behind a method says.
+/// Legend of the mark behind a method.
 const MARKED: &str = "!: with this method no time step is safe for every body.";
 
 /// Error against run time of a case, where the record holds it; its pictures are loaded when the case is opened, unless it is
@@ -76,7 +76,7 @@ fn one(record: &Record, study: &StudyDetail, open: bool, pictures: &mut Pictures
     html
 }
 
-/// Why runs of a method failed, the finest of them, where one did.
+/// Failure of the finest failed run of a method, if any.
 fn failure(record: &Record, study: &StudyDetail, name: &str) -> Option<String> {
     let method = name.trim_end_matches(" !");
     let mut failed: Vec<(f64, &str)> = vec![];

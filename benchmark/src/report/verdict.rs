@@ -113,7 +113,7 @@ fn measured(record: &Record) -> String {
     }
 }
 
-/// Where and when it was measured, in a line.
+/// Place and date of the measurement, in a line.
 pub fn whence(record: &Record) -> String {
     let said = |key: &str| record.context[key].as_str().map(escape);
     let mut whence = vec![];
@@ -130,7 +130,7 @@ pub fn whence(record: &Record) -> String {
     whence.join(" · ")
 }
 
-/// Whether all gates of a case hold and all its runs were solved.
+/// True if all gates of a case hold and all its runs were solved.
 pub fn holds(case: &CaseDetail, record: &Record) -> bool {
     let mut runs = record.rows.iter().filter(|row| is_run_of(&row.name, case));
     case.gates.iter().all(|gate| gate.passed) && runs.all(|row| row.error.is_none())

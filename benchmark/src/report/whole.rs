@@ -126,7 +126,7 @@ pub enum PageVerdict {
 }
 
 impl PageVerdict {
-    /// Of a record that was made whole; `failed` of its runs failed.
+    /// Verdict of a record that was made whole; `failed` of its runs failed.
     #[must_use]
     pub fn of(
         record: &Record,

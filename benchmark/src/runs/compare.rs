@@ -12,7 +12,7 @@ pub struct ColumnDifference {
     pub name: String,
     /// Largest difference, second less first, by its size.
     pub most: f64,
-    /// When that was \[s\].
+    /// Time of it \[s\].
     pub time: f64,
     /// Its size over the largest value of the column, or of any component of its vector, in the first run; infinite where that
     /// is zero.

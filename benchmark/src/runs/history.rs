@@ -25,7 +25,7 @@ impl RunHistory {
         })
     }
 
-    /// From the text of a file; the line and the reason where it is none.
+    /// Parses the text of a file; the line and the reason where it is none.
     fn parse(text: &str) -> Result<Self, (usize, String)> {
         let whole = text.rfind('\n').map_or(0, |end| end + 1);
         let mut reader = csv::ReaderBuilder::new()

@@ -195,7 +195,7 @@ fn word(finding: &Finding) -> &'static str {
     }
 }
 
-/// What is said of which case; cases of which the same is said share a line.
+/// Reasons, each with its cases; cases with the same reason share a line.
 pub(crate) fn reasons(comparison: &Comparison) -> Vec<(String, String)> {
     let mut lines: Vec<(&str, &str, Vec<String>)> = vec![];
     for finding in &comparison.findings {
@@ -219,7 +219,7 @@ pub(crate) fn reasons(comparison: &Comparison) -> Vec<(String, String)> {
     said.collect()
 }
 
-/// What differs without being judged for it, case by case.
+/// Differences that are not judged, case by case.
 fn told(comparison: &Comparison) -> Vec<String> {
     let of = |finding: &Finding| -> Vec<String> {
         let case = finding.case.to_string();
@@ -229,7 +229,7 @@ fn told(comparison: &Comparison) -> Vec<String> {
     comparison.findings.iter().flat_map(of).collect()
 }
 
-/// What was compared, and what could not be.
+/// Numbers that were compared, and those that could not be.
 pub(crate) fn compared(comparison: &Comparison) -> String {
     let tallies = comparison.tallies();
     let part = |tally: &Tally| {

@@ -64,7 +64,7 @@ fn row(key: &Key) -> [String; 4] {
 
 /// All that there is to say of a key in a block.
 pub struct InFull<'a> {
-    /// Where the block is; empty for the top of a scene.
+    /// Path of the block; empty for the top of a scene.
     pub path: &'a str,
     /// The key.
     pub key: &'a Key,

@@ -3,7 +3,7 @@
 use anstream::{AutoStream, ColorChoice};
 use anstyle::{AnsiColor, Style};
 
-/// What a symbol stands for.
+/// Meaning of a symbol.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mark {
     /// It holds.
@@ -15,7 +15,7 @@ pub enum Mark {
 }
 
 impl Mark {
-    /// What stands for it without colour.
+    /// Text for it without colour.
     #[must_use]
     pub fn symbol(self) -> &'static str {
         match self {
@@ -35,7 +35,7 @@ impl Mark {
     }
 }
 
-/// Whether what is printed may have colour.
+/// Choice of colour for printed text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Paint {
     colour: bool,
@@ -45,7 +45,7 @@ impl Paint {
     /// No colour.
     pub const NONE: Self = Self { colour: false };
 
-    /// As standard output takes it: colour on a terminal, unless `NO_COLOR` is set or `TERM` says that it has none, and
+    /// Paint as standard output takes it: colour on a terminal, unless `NO_COLOR` is set or `TERM` says that it has none, and
     /// elsewhere where `CLICOLOR_FORCE` asks for it.
     #[must_use]
     pub fn of_standard_output() -> Self {

@@ -35,7 +35,7 @@ const STYLE: &str = "\
 .map .above{fill:var(--a);fill-opacity:.38}.map .below{fill:var(--b);fill-opacity:.85}.map .none{fill:var(--g)}\
 .map .bad{fill:none;stroke:var(--b);stroke-width:3}.map .soft{fill-opacity:.75}";
 
-/// What the colour of a cell says.
+/// Meaning of the colour of a cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Shade {
     Below,
@@ -123,7 +123,7 @@ fn weightings_of<'a>(detail: &'a StabilityDetail, transfer: &str) -> Vec<&'a str
     weightings
 }
 
-/// What can be seen, in words.
+/// Description of the picture, in words.
 fn description(detail: &StabilityDetail) -> String {
     let failing = detail.cells.iter().filter(|cell| !cell.passed).count();
     format!(

@@ -7,8 +7,8 @@ use std::io::{self, Write};
 /// Combinations that are named for each error, and those that come as often as the last of them.
 const SHOWN: usize = 3;
 
-/// Which combination brings how many of the errors to 1 % and to 0.1 % in the shortest processor time, of `runs` runs of
-/// `cases` cases. Between combinations that come first equally often stands an equals sign.
+/// Combinations that bring the most errors to 1 % and to 0.1 % in the shortest processor time, of `runs` runs of `cases` cases.
+/// Between combinations that come first equally often stands an equals sign.
 ///
 /// # Errors
 /// If `out` cannot be written.

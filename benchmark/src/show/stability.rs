@@ -44,7 +44,7 @@ pub fn map(detail: &StabilityDetail, interrupted: bool, out: &mut dyn Write) -> 
     verdict(detail, interrupted, out)
 }
 
-/// What could not be done and gates that do not hold, and the verdict over all gates.
+/// Parts that could not be done and gates that do not hold, and the verdict over all gates.
 ///
 /// # Errors
 /// If `out` cannot be written.

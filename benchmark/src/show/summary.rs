@@ -30,7 +30,7 @@ pub struct Lines {
 }
 
 impl Lines {
-    /// For cases of these names.
+    /// Summary for cases of these names.
     pub fn new<'a>(paint: Paint, names: impl IntoIterator<Item = &'a str>) -> Self {
         let lengths = names.into_iter().map(|name| name.chars().count());
         let name = lengths.max().unwrap_or(0).max("case".len());
@@ -42,7 +42,7 @@ impl Lines {
         }
     }
 
-    /// What stands above them.
+    /// Heading above them.
     ///
     /// # Errors
     /// If `out` cannot be written.
@@ -171,7 +171,7 @@ fn headline(ran: &CaseRun) -> Option<(&'static str, f64)> {
     error(finest)
 }
 
-/// What an earlier record holds of cases that are not run again.
+/// Cases of an earlier record that are not run again.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct EarlierCases {
     /// Cases all of which holds.
@@ -181,7 +181,7 @@ pub struct EarlierCases {
 }
 
 impl EarlierCases {
-    /// What a record holds of cases on the ladders of that size.
+    /// Cases of a record on the ladders of that size.
     #[must_use]
     pub fn of(record: &Record, cases: &[&'static Case], size: Size) -> Self {
         let held = cases
@@ -194,19 +194,19 @@ impl EarlierCases {
     }
 }
 
-/// What came of all cases.
+/// Verdict on all cases.
 pub struct Verdict<'a> {
-    /// Those that were run to their end.
+    /// Cases that were run to their end.
     pub cases: &'a [CaseRun],
-    /// Those that were not run again.
+    /// Cases that were not run again.
     pub kept: EarlierCases,
-    /// How many were asked for, kept ones too.
+    /// Number of cases that were asked for, kept ones too.
     pub asked: usize,
-    /// What else failed, by name.
+    /// Names of other failures.
     pub also_failed: &'a [&'static str],
     /// True if something is worse than in the record that it was compared with.
     pub worse: bool,
-    /// Whether the user stopped it.
+    /// True if the user stopped it.
     pub interrupted: bool,
     /// Gates of stability that hold, and all of them, where there are any.
     pub of_stability: Option<[usize; 2]>,

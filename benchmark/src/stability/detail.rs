@@ -7,7 +7,7 @@ use proctor_verification::stability::block::Place;
 use proctor_verification::stability::map::Entry;
 use serde::{Deserialize, Serialize};
 
-/// What was found of stability.
+/// Findings on stability.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct StabilityDetail {
     /// Cells of the map, plane and space taken together.
@@ -17,7 +17,7 @@ pub struct StabilityDetail {
     pub nonlinear: Vec<Vec<String>>,
     /// Its bounds.
     pub gates: Vec<GateDetail>,
-    /// What could not be done, and why.
+    /// Parts that could not be done, each with its reason.
     pub failures: Vec<String>,
     /// Stiff and extreme scenes.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -44,11 +44,11 @@ pub struct StabilityCell {
     pub ratio: Option<f64>,
     /// The kernel's automatic step, c dt/h.
     pub kernel: f64,
-    /// Whether the kernel says that no step is safe for every body.
+    /// True if the kernel says that no step is safe for every body.
     pub warned: bool,
-    /// Whether all its gates hold.
+    /// True if all its gates hold.
     pub passed: bool,
-    /// Which body rules, and where.
+    /// Body and place that rule.
     pub ruled_by: String,
 }
 

@@ -14,16 +14,16 @@ pub(crate) const ROWS: &str = "stability/extreme/";
 
 /// A row that was run.
 pub struct RowResult {
-    /// Which.
+    /// Row that was run.
     pub row: &'static Extreme,
-    /// What it gave.
+    /// Result of the row.
     pub outcome: Result<Finding, RowFault>,
     /// Its time.
     pub spent: Spent,
 }
 
 impl RowResult {
-    /// How it ended.
+    /// Ending of the row.
     #[must_use]
     pub fn ending(&self) -> Ending {
         self.outcome
@@ -62,27 +62,27 @@ fn said(panic: &(dyn Any + Send)) -> String {
     format!("panicked: {}", text.as_deref().unwrap_or("without a word"))
 }
 
-/// What a record keeps of a row beside its flat rows.
+/// Details of a row that a record keeps beside its flat rows.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ExtremeDetail {
     /// Its name.
     pub name: String,
-    /// What is extreme in it.
+    /// Extreme of the row.
     pub what: String,
-    /// What a good code must do.
+    /// Requirement on a good code.
     pub required: String,
-    /// How it ended: `held`, `refused`, `FAILED`.
+    /// Ending of the row: `held`, `refused`, `FAILED`.
     pub ending: String,
-    /// Whether it ended as it should.
+    /// True if it ended as it should.
     pub passed: bool,
     /// Its bounds.
     pub gates: Vec<GateDetail>,
     /// Messages of what was refused as it should be.
     pub refusals: Vec<String>,
-    /// What should not have happened.
+    /// Fault of the row.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub unexpected: Option<String>,
-    /// Why it fails, where that is known.
+    /// Cause of the failure, if known.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub cause: Option<String>,
     /// Its time \[s\].

@@ -1,5 +1,5 @@
-//! Where each method is stable: the map and the scenes that are not linear, run side by side, as rows and as a picture; and
-//! the stiff and extreme scenes.
+//! Stability of each method: the map and the scenes that are not linear, run side by side, as rows and as a picture; and the
+//! stiff and extreme scenes.
 
 mod detail;
 pub mod extreme;

@@ -10,7 +10,7 @@ use proctor_verification::stability::map::{self, Entry};
 use proctor_verification::stability::nonlinear::{self, Limit, Nonlinear};
 use proctor_verification::stability::{StabilityError, table};
 
-/// How much is asked.
+/// Amount of work that is asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MapRequest {
     /// The plane with two particles per cell and axis, and the default method where nothing is linear: for the main job.
@@ -19,7 +19,7 @@ pub enum MapRequest {
     Quick,
     /// Plane and space.
     Full,
-    /// What the kernel's table is made of.
+    /// Parts of the kernel's table.
     Table,
 }
 
@@ -32,7 +32,7 @@ pub enum Job {
     Nonlinear(&'static Nonlinear, Method, Size),
 }
 
-/// What a job gave.
+/// Result of a job.
 #[derive(Clone, Debug)]
 pub enum Outcome {
     /// An entry of the map.
@@ -43,9 +43,9 @@ pub enum Outcome {
 
 /// A job that was done.
 pub struct JobResult {
-    /// Which.
+    /// Job that was run.
     pub job: Job,
-    /// What it gave.
+    /// Result of the job.
     pub outcome: Result<Outcome, StabilityError>,
     /// Its time.
     pub spent: Spent,
@@ -81,7 +81,7 @@ impl Job {
 }
 
 impl JobResult {
-    /// What must hold of it; none where it failed.
+    /// Gates of the result; none where it failed.
     #[must_use]
     pub fn gates(&self) -> Vec<Gate> {
         match (&self.job, &self.outcome) {
@@ -93,7 +93,7 @@ impl JobResult {
         }
     }
 
-    /// Whether it could be done and all of it holds.
+    /// True if it could be done and all of it holds.
     #[must_use]
     pub fn passed(&self) -> bool {
         self.outcome.is_ok() && self.gates().iter().all(Gate::passed)
@@ -135,7 +135,7 @@ pub fn jobs(
     all
 }
 
-/// Does jobs, `workers` at a time and each on one thread, as long as `go` says so before each, and hands them to `each` in
+/// Runs jobs, `workers` at a time and each on one thread, as long as `go` says so before each, and hands them to `each` in
 /// their order.
 pub fn run(
     jobs: &[Job],

@@ -5,8 +5,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
 use std::thread;
 
-/// Does what `order` lists of `jobs`, `workers` at a time, as long as `go` says so before each, and hands what `work` made of
-/// them to `each` in the order of `jobs`.
+/// Runs the items of `order` out of `jobs`, `workers` at a time, as long as `go` says so before each, and hands the results of
+/// `work` to `each` in the order of `jobs`.
 pub fn side_by_side<J: Sync, R: Send>(
     jobs: &[J],
     order: &[usize],

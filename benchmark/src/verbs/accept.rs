@@ -28,7 +28,7 @@ pub struct Accept {
     /// The ledger; created if it does not exist
     #[arg(long, value_name = "FILE")]
     ledger: PathBuf,
-    /// Why the numbers moved, for those who read the ledger
+    /// Reason for which the numbers moved, for readers of the ledger
     #[arg(long, value_name = "REASON", value_parser = reason)]
     because: String,
     /// Also accept numbers that got worse
@@ -104,7 +104,7 @@ impl Accept {
         Ok(Outcome::Fine)
     }
 
-    /// Whether a change is for the worse and was not asked for.
+    /// True if a change is for the worse and was not asked for.
     fn asks(&self, ledger: &Ledger, ladder: &str, case: &str, change: &Change) -> bool {
         let worse = change.moved == Direction::Missing || ledger.worse(ladder, case, change);
         worse && !self.worse

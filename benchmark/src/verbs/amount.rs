@@ -14,12 +14,12 @@ pub struct Amount {
 }
 
 impl Amount {
-    /// Whether everything is told.
+    /// True if everything is printed.
     pub fn all(self) -> bool {
         self.verbose
     }
 
-    /// Whether anything but the verdict is told.
+    /// True if anything but the verdict is printed.
     pub fn more_than_the_verdict(self) -> bool {
         !self.quiet
     }

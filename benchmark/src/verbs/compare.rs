@@ -26,8 +26,8 @@ use std::path::PathBuf;
 /// thread, the clock elsewhere. It is the same only where a loss of a tenth would have been seen. A gain in time that was
 /// paid for in accuracy is judged at equal error.
 ///
-/// What cannot be compared (cases or numbers that only one record has, another machine or build, too few pairs, noise
-/// in which a loss of a tenth could hide, an interrupted record) is never fine: exit code 2. Of two records that were each
+/// A pair that cannot be compared (cases or numbers that only one record has, another machine or build, too few pairs, noise in
+/// which a loss of a tenth could hide, an interrupted record) is never fine: exit code 2. Of two records that were each
 /// measured in one pass the times are left out, and the output says so.
 ///
 /// BASE and HEAD are records, or folders of records: one pass per sub-folder, or per file where there are none.

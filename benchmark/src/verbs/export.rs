@@ -46,7 +46,7 @@ enum Shape {
     Critcmp,
     /// Every row with every counter
     Csv,
-    /// What each gate found and its bound, as Markdown
+    /// Value and bound of each gate, as Markdown
     Gates,
     /// JUnit XML: a test per gate, failures with what was found and the bound
     Junit,

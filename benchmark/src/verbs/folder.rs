@@ -1,9 +1,9 @@
-//! Where scenes and results of executables are.
+//! Folders of the scenes and results of executables.
 
 use crate::exit::Failure;
 use std::path::{Path, PathBuf};
 
-/// Where executables leave their results.
+/// Folder of the results of executables.
 pub(super) enum Folder {
     Kept(PathBuf),
     Removed(tempfile::TempDir),

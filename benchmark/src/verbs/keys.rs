@@ -133,12 +133,12 @@ fn matching<'a>(word: &str, blocks: &'a [KeyBlock]) -> Vec<(&'a KeyBlock, &'a Ke
     keys(blocks).filter(meant).collect()
 }
 
-/// Whether a word is a name; upper and lower case are the same.
+/// True if a word is a name; upper and lower case are the same.
 fn is(word: &str, name: &str) -> bool {
     word.eq_ignore_ascii_case(name)
 }
 
-/// What to say to a word that leads to no key.
+/// Answer to a word that leads to no key.
 fn unknown(word: &str, blocks: &[KeyBlock]) -> String {
     let mut names: Vec<&str> = blocks
         .iter()

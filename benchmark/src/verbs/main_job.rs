@@ -37,7 +37,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-/// Where record and page go, below the working folder.
+/// Folder of record and page, below the working folder.
 const FOLDER: &str = "target/proctor";
 
 /// Speed of the built-in set on one thread and on all: the moving block of the speed fixtures.
@@ -48,7 +48,7 @@ const SLOW: &str = r#"{
         "disordered-2d", "mortar-2d"],
     "particles": 8000, "threads": 1
 }"#;
-/// What stands above both.
+/// Heading above both.
 const SPEED_HEADING: &str =
     "Whole steps with uGIMP, USL, FLIP: CPU ns per particle and step, median; less is better";
 
@@ -59,7 +59,7 @@ const STUDIES_SECONDS: f64 = 100.0;
 
 const WHERE_TO_GO: &str = "next: `proctor new`, `proctor -h`";
 
-/// What the parts of the main job share.
+/// Data that the parts of the main job share.
 struct Job<'a> {
     amount: Amount,
     paint: Paint,
@@ -415,7 +415,7 @@ fn speed(
     Ok(all_taken)
 }
 
-/// Where the record and the page made from it go.
+/// Files of the record and of the page made from it.
 fn files(folder: &Path) -> [PathBuf; 2] {
     ["record.json", "report.html"].map(|name| folder.join(name))
 }

@@ -35,7 +35,7 @@ use proctor_scene::{Scene, SceneError};
 use std::io::{IsTerminal, Write};
 use std::path::Path;
 
-/// What the command can do.
+/// Verbs of the command.
 #[derive(Subcommand)]
 pub enum Verb {
     /// Write a small scene to start from; without a kind, list the kinds.

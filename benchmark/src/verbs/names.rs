@@ -53,7 +53,7 @@ pub fn open(names: &[String]) -> Result<Vec<Study>, Failure> {
     chosen(names, &study::open(), "case", |study| study.name())
 }
 
-/// What to say to a name that nothing has: the nearest known one, then all.
+/// Answer to a name that nothing has: the nearest known one, then all.
 fn unknown(kind: &str, name: &str, known: &[&str]) -> String {
     let likeness = |known: &str| strsim::normalized_damerau_levenshtein(name, known);
     let nearest = known

@@ -27,7 +27,7 @@ pub struct New {
 #[derive(Clone, Copy)]
 struct Template {
     name: &'static str,
-    /// What happens in it.
+    /// Events of the scene.
     what: &'static str,
     text: &'static str,
     /// A file that it names, in its folder: name and text.

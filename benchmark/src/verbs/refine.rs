@@ -123,7 +123,7 @@ fn on_meshes(scene: &Scene, meshes: &Meshes, places: &SourceMap) -> Result<Vec<S
     })
 }
 
-/// For each mesh the stages, each with a change.
+/// Stages of each mesh, each with a change.
 fn stages_on_meshes(
     stages: &[Stage],
     meshes: &Meshes,

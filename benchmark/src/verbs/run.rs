@@ -51,7 +51,7 @@ pub struct Run {
     restart: Option<PathBuf>,
 }
 
-/// What is counted over the steps of this invocation.
+/// Counts over the steps of this invocation.
 #[derive(Default)]
 struct Tally {
     stopwatch: Stopwatch,
@@ -192,7 +192,7 @@ fn stage_of(checkpoint: &Path, folders: &[String]) -> Result<usize, Failure> {
     })
 }
 
-/// Why a run cannot start or go on, with the place in the scene where there is one.
+/// Reason for which a run cannot start or go on, with the place in the scene where there is one.
 fn told(places: &SourceMap, error: &RunError) -> String {
     match error {
         RunError::Setup(error) => places.of_setup(error),
@@ -201,7 +201,7 @@ fn told(places: &SourceMap, error: &RunError) -> String {
     }
 }
 
-/// From output time to output time; returns why it ended early, if it failed.
+/// Runs from output time to output time; returns why it ended early, if it failed.
 fn drive(run: &mut KernelRun, tally: &mut Tally, interrupt: &Interrupt) -> Option<RunError> {
     let name = run.simulation().scene().name.clone();
     let end = run.simulation().scene().time;

@@ -7,7 +7,7 @@ use proctor_kernel::lanes::LaneChoice;
 use proctor_scene::simulation::Options;
 use std::num::NonZeroUsize;
 
-/// How the cycle is run. Neither changes a bit of the result.
+/// Settings of the cycle. Neither changes a bit of the result.
 #[derive(Args)]
 pub struct Settings {
     /// Number of threads, at most four per hardware thread [default: `n_threads` of the scene, else
@@ -37,7 +37,7 @@ impl Settings {
     }
 }
 
-/// How messages call the option.
+/// Name of the option in messages.
 pub const OPTION: &str = "--threads";
 
 /// Threads per processor that are still taken. They only wait for each other: a small scene was seen fourteen times slower

@@ -23,7 +23,7 @@ const MAP: &str = "map";
 /// Name of the picture.
 const PICTURE: &str = "stability.svg";
 
-/// Where each method is stable: the largest time step, predicted and measured.
+/// Stability of each method: the largest time step, predicted and measured.
 ///
 /// Predicted from the linear part of the kernel's own step, measured by runs with noise that close in on the limit, for
 /// every weighting function, scheme and transfer, one to four particles per cell and axis, blocks, thin bodies and single
@@ -62,7 +62,7 @@ pub struct Stability {
     table: bool,
 }
 
-/// What `--row` names.
+/// Rows that `--row` names.
 #[derive(Clone, Copy)]
 enum RowName {
     Map,
@@ -195,7 +195,7 @@ impl Stability {
     }
 }
 
-/// How a run of rows ends.
+/// Ending of a run of rows.
 fn ended(interrupt: &Interrupt, passed: bool) -> Outcome {
     if interrupt.raised() {
         interrupt.outcome()
@@ -206,7 +206,7 @@ fn ended(interrupt: &Interrupt, passed: bool) -> Outcome {
     }
 }
 
-/// Does jobs and puts them into a record; `progress` hears the share that is done.
+/// Runs jobs and puts them into a record; `progress` hears the share that is done.
 pub fn done(
     jobs: &[stability::Job],
     interrupt: &Interrupt,

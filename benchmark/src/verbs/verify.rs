@@ -99,13 +99,13 @@ const GENERATED: &str = "target/proctor/generated";
 /// Folder for problems of the mill that miss a gate.
 const MILLED: &str = "target/proctor/mill";
 
-/// What is to be done.
+/// Work of the verb.
 struct Task {
     cases: Vec<&'static Case>,
     size: Size,
-    /// What is known before the first case.
+    /// Record before the first case.
     record: Record,
-    /// Where the record goes.
+    /// File of the record.
     file: Option<PathBuf>,
     /// Cases that were asked for then or now, those that are not run again too.
     asked: Vec<&'static Case>,
@@ -223,7 +223,7 @@ impl Verify {
         .run(out)
     }
 
-    /// What is to be run, and the record that it goes into.
+    /// Work of the verb, and the record that it goes into.
     fn task(&self, options: &Options, chosen: &[&'static Case]) -> Result<Task, Failure> {
         let mut record = Record::new(options);
         let all = case::all().len();
@@ -346,7 +346,7 @@ impl Verify {
         })
     }
 
-    /// What is told of a case.
+    /// Prints a case.
     fn tell(&self, ran: &CaseRun, lines: &Lines, out: &mut dyn Write) -> std::io::Result<()> {
         if self.amount.all() {
             full::runs(ran, out)?;

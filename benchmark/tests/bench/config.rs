@@ -25,7 +25,7 @@ fn parse(text: &str) -> Result<Config, SceneError> {
     )
 }
 
-/// What is said of a configuration that is wrong, without the list of what is accepted.
+/// Messages on a configuration that is wrong, without the list of what is accepted.
 fn faults(text: &str) -> Vec<String> {
     let error = parse(text).expect_err("not a sound configuration");
     error

@@ -133,7 +133,7 @@ fn the_blocks_in_contact_rub() {
     }
 }
 
-/// What slides on a surface of triangles, or in mortar contact, is carried and braked by Coulomb's law.
+/// A body that slides on a surface of triangles, or in mortar contact, is carried and braked by Coulomb's law.
 #[test]
 fn what_slides_on_a_surface_is_carried_and_braked() {
     for (name, body) in [("stl-3d", 0), ("mortar-2d", 1), ("mortar-3d", 1)] {

@@ -63,7 +63,7 @@ fn digests(root: &Path, compiler: &str) -> [Digest; 5] {
     scenes().map(|scene| sources.of(&scene, HOW))
 }
 
-/// Of which scenes the count must be made again after a change.
+/// Scenes whose count must be made again after a change.
 fn again(change: impl Fn(&Path)) -> [bool; 5] {
     let root = workspace();
     let before = digests(root.path(), COMPILER);

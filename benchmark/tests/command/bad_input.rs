@@ -185,7 +185,7 @@ fn line_of(text: &str, word: &str) -> usize {
     at.unwrap_or_else(|| panic!("{word} in {text}")) + 1
 }
 
-/// What shows its fault only when particles are there has its place in the file all the same.
+/// A fault that shows only with particles has its place in the file all the same.
 #[test]
 fn faults_at_set_up_have_their_place() {
     let discs = |gap: f64| {
@@ -334,7 +334,7 @@ fn a_step_that_fails_is_told_at_the_value_that_would_have_to_be_another() {
     assert_eq!(place(&message, &name).0, line_of(&text, "\"time_step\""));
 }
 
-/// What is so large or so small that its square is not a number any more is refused where it stands, with what is accepted.
+/// A number so large or so small that its square overflows is refused at its place, with the accepted values.
 #[test]
 fn numbers_beyond_all_use_are_refused_with_their_place() {
     let desk = Desk::new();

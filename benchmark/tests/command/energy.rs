@@ -62,8 +62,8 @@ fn the_work_that_speeds_up_a_piston_is_in_the_balance() {
     );
 }
 
-/// What the barrier of a mortar contact stores has a line of its own, in the summary and the history as on the terminal:
-/// whoever adds up what is printed finds what is missing.
+/// The energy in the barrier of a mortar contact has a line of its own, in the summary and the history as on the terminal: the
+/// printed energies add up.
 #[test]
 fn what_contact_stores_is_told() {
     let (energy, [first, last], text) = run("rolling_disc_2d", 0.02);

@@ -35,7 +35,7 @@ fn bench(desk: &Desk, guest: &Value, scene: &str) -> (i32, String, Vec<Value>) {
     )
 }
 
-/// Why the first row of a guest failed.
+/// Reason for which the first row of a guest failed.
 fn reason(rows: &[Value]) -> String {
     let failed = rows.iter().find_map(|row| row["error_message"].as_str());
     failed.unwrap_or_else(|| panic!("{rows:?}")).to_owned()

@@ -18,7 +18,7 @@ struct History {
 }
 
 impl History {
-    /// That in a folder of the desk.
+    /// History in a folder of the desk.
     fn read(desk: &Desk, folder: &str) -> Self {
         let text = fs::read_to_string(desk.path(folder).join("history.csv")).expect("a history");
         Self { text }

@@ -112,7 +112,7 @@ fn closed_streams_change_no_exit_code() {
     }
 }
 
-/// What was to be printed is lost, which is a failure of its own; but no panic.
+/// The output is lost, which is a failure of its own; but no panic.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_full_standard_output_is_said_and_ends_with_1() {

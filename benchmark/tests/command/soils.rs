@@ -187,7 +187,7 @@ fn what_cannot_be_is_refused_with_its_place() {
     }
 }
 
-/// How far beyond, and where: at the foot of the column, under 2 m of 20 kPa each.
+/// The excess and its place: at the foot of the column, under 2 m of 20 kPa each.
 #[test]
 fn a_stress_that_is_not_borne_is_told_with_its_depth() {
     let desk = Desk::new();

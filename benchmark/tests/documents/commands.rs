@@ -13,20 +13,20 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use tempfile::TempDir;
 
-/// How a command is run.
+/// Mode in which a command is run.
 #[derive(Debug, PartialEq, Eq)]
 enum RunMode {
-    /// As it stands.
+    /// The command as it stands.
     AsItStands,
-    /// With these arguments after its own: the same on less.
+    /// The command with these arguments after its own: the same on less.
     With(&'static [&'static str]),
-    /// With these arguments in their place, which say the same on less.
+    /// The command with these arguments in place of its own, which say the same on less.
     Instead(&'static [&'static str]),
     /// Its arguments are checked, and it is not run, for that reason.
     NotRun(&'static str),
 }
 
-/// How a command of this program is run.
+/// Mode in which a command of this program is run.
 fn how(arguments: &[&str]) -> RunMode {
     match arguments {
         ["verify", "--list"]
@@ -181,7 +181,7 @@ fn missing(shown: &[String], output: &str) -> Result<(), String> {
     Ok(())
 }
 
-/// What is wrong with a command of a document.
+/// Fault of a command of a document.
 fn fault(printed: &PrintedCommand, desk: &Path) -> Result<(), String> {
     let all = words(&printed.line);
     if own(&all).is_none() {

@@ -22,7 +22,7 @@ impl PrintedCommand {
         }
     }
 
-    /// Whether it has words that stand for others, or parts that may be left out.
+    /// True if it has words that stand for others, or parts that may be left out.
     pub fn is_synopsis(&self) -> bool {
         let stands_for_others = |word: &str| {
             let word = word.trim_matches(|c| "[]….".contains(c));
@@ -38,13 +38,13 @@ impl PrintedCommand {
 /// Reading of a line of a document.
 #[derive(Clone, Copy)]
 enum Block {
-    /// As prose, or as a command where it is indented.
+    /// Prose, or a command where it is indented.
     None,
-    /// As a line of the output of the last command.
+    /// A line of the output of the last command.
     Output,
     /// Not at all: a file or a program.
     File,
-    /// As a command.
+    /// A command.
     Commands,
 }
 
@@ -125,7 +125,8 @@ pub fn words(line: &str) -> Vec<String> {
     all
 }
 
-/// What a synopsis stands for: what is needed alone, and with each part in brackets. Words that stand for others are put in.
+/// Commands that a synopsis stands for: the needed words alone, and with each part in brackets. Words that stand for others are
+/// put in.
 pub fn readings(synopsis: &str) -> Vec<Vec<String>> {
     let (mut needed, mut parts, mut part) = (String::new(), vec![], None::<String>);
     for c in synopsis.replace("...", "…").chars() {

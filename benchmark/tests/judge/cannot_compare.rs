@@ -5,7 +5,7 @@ use proctor_benchmark::judge::{self, Comparison, Rules, Verdict, noise};
 use proctor_benchmark::record::{Record, Row};
 use serde_json::json;
 
-/// That the comparison is refused, and says these words.
+/// Checks that the comparison is refused, and says these words.
 fn refused(comparison: &Comparison, words: &str) {
     assert_eq!(comparison.verdict(), Verdict::CannotCompare, "{words}");
     let reasons = comparison.findings.iter().flat_map(|f| &f.reasons);

@@ -17,14 +17,14 @@ const DRAWS: usize = 200;
 /// Times of both sides of a pair \[s\]: by the clock and on the processors.
 type Pair = [[f64; 2]; 2];
 
-/// What was recorded of a case.
+/// Times that were recorded of a case.
 struct RecordedTimes {
     name: String,
     threads: u64,
     pairs: Vec<Pair>,
 }
 
-/// What a file of `fixtures/noise` holds: `busy` is what the rules were tuned on, `later` was recorded after them.
+/// Content of a file of `fixtures/noise`: `busy` is what the rules were tuned on, `later` was recorded after them.
 fn recording(file: &str) -> Vec<RecordedTimes> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/noise");
     let text = std::fs::read_to_string(root.join(format!("{file}.csv"))).expect("the samples");

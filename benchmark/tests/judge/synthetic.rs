@@ -58,7 +58,7 @@ pub fn of(comparison: &Comparison, name: &str) -> (CaseVerdict, String) {
     (finding.verdict, finding.reasons.join("; "))
 }
 
-/// How a machine disturbs a measurement.
+/// Disturbance of a measurement by a machine.
 pub struct Machine {
     random: Rand64,
     /// Passes of a record.

@@ -3,7 +3,7 @@
 use super::read;
 use proctor_benchmark::record::Kind;
 
-/// As version 1.9 of the library writes it.
+/// Record as version 1.9 of the library writes it.
 const GOOGLE: &str = r#"{
   "context": {
     "date": "2025-03-01T12:00:00+00:00", "executable": "./a", "num_cpus": 8, "mhz_per_cpu": 3000,

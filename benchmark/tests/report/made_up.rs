@@ -42,7 +42,7 @@ impl MadeUp {
         self
     }
 
-    /// What a line of the study of a case costs for 1 % \[s\], and its smallest error; none where all of it failed.
+    /// Cost of a line of the study of a case for 1 % \[s\], and its smallest error; none where all of it failed.
     pub fn with_cost(
         mut self,
         case: &str,
@@ -172,7 +172,7 @@ pub fn unpacked(page: &str) -> String {
     whole
 }
 
-/// What stands between two texts, every time.
+/// Text between two others, every time.
 pub fn between<'a>(page: &'a str, from: &str, to: &str) -> Vec<&'a str> {
     let parts = page.split(from).skip(1);
     parts

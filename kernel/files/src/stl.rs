@@ -15,11 +15,11 @@ use std::str::SplitWhitespace;
 pub struct StlError {
     /// The file.
     pub file: PathBuf,
-    /// What is wrong.
+    /// Kind of the fault.
     pub kind: StlErrorKind,
 }
 
-/// What is wrong with an STL file.
+/// Kind of a fault in an STL file.
 #[derive(Clone, Debug, PartialEq)]
 pub enum StlErrorKind {
     /// The file could not be read.
@@ -39,9 +39,9 @@ pub enum StlErrorKind {
         line: usize,
         /// Triangle that it belongs to, from 1.
         triangle: usize,
-        /// What was found.
+        /// Text that was found.
         found: String,
-        /// What the format has there.
+        /// Text that the format has there.
         accepted: &'static str,
     },
     /// Its triangles make no surface.
@@ -49,7 +49,7 @@ pub enum StlErrorKind {
 }
 
 impl StlErrorKind {
-    /// What would be accepted in the place of what was found.
+    /// Text that would be accepted in the place of the found one.
     #[must_use]
     pub fn accepted(&self) -> &'static str {
         match self {
@@ -226,7 +226,7 @@ impl<'a> Lines<'a> {
     }
 }
 
-/// What follows the words at the beginning of a line.
+/// Words that follow these at the beginning of a line.
 fn after<'a>(line: &'a str, words: &[&str]) -> Option<SplitWhitespace<'a>> {
     let mut found = line.split_whitespace();
     words

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 const STEPS: usize = 10;
 /// Most of these.
 const MOST: usize = 60;
-/// How many in a row are to take nothing. A list that still grows doubles: the more it holds, the longer it is enough.
+/// Number of steps in a row that take nothing. A list that still grows doubles: the more it holds, the longer it is enough.
 const IN_A_ROW: usize = 4;
 
 /// Scenes of the fixtures in which no particle leaves the mesh, which is an event and takes memory.

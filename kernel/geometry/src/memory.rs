@@ -16,11 +16,11 @@ pub struct Memory {
 /// Something needs more memory than there is.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OutOfMemory {
-    /// What needs it.
+    /// Purpose of the memory.
     pub what: String,
-    /// How much it needs \[bytes\]; an estimate.
+    /// Bytes that it needs; an estimate.
     pub needed: f64,
-    /// How much there is \[bytes\].
+    /// Bytes that there are.
     pub there_is: u64,
 }
 
@@ -49,9 +49,9 @@ impl Memory {
         Self { bytes }
     }
 
-    /// What this process can still get: on Linux the least of what the machine has available, what is left to the
-    /// control groups that the process is in, what the address space may still grow by (`ulimit -v`) and, where the
-    /// system promises no more than it has, what it may still promise; elsewhere [`Memory::ELSEWHERE`].
+    /// Memory that this process can still get: on Linux the least of what the machine has available, what is left to the
+    /// control groups that the process is in, what the address space may still grow by (`ulimit -v`) and, where the system
+    /// promises no more than it has, what it may still promise; elsewhere [`Memory::ELSEWHERE`].
     #[must_use]
     pub fn of_machine() -> Self {
         Self::of_files(Path::new("/"))
@@ -134,8 +134,7 @@ impl Memory {
         self.bytes
     }
 
-    /// Whether there are `needed` bytes for `what`. A number too large to be one, infinite or not a number, is too
-    /// many.
+    /// Checks that there are `needed` bytes for `what`. A number too large to be one, infinite or not a number, is too many.
     ///
     /// # Errors
     /// [`OutOfMemory`] with both numbers.

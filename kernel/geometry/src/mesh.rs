@@ -34,7 +34,7 @@ pub enum PlaneCondition {
 }
 
 impl PlaneCondition {
-    /// Whether it prescribes the velocity along an axis of a plane with that normal.
+    /// True if it prescribes the velocity along an axis of a plane with that normal.
     #[must_use]
     pub fn prescribes(self, along: usize, normal: usize) -> bool {
         match self {

@@ -3,8 +3,7 @@
 /// Corners in the plane.
 type Point = [f64; 2];
 
-/// What is wrong with a polygon: fewer than three corners, coinciding corners, crossing or touching edges.
-/// `None` if it is simple.
+/// Fault of a polygon: fewer than three corners, coinciding corners, crossing or touching edges. `None` if it is simple.
 #[must_use]
 pub fn fault(points: &[Point]) -> Option<String> {
     let n = points.len();
@@ -26,7 +25,7 @@ pub fn fault(points: &[Point]) -> Option<String> {
     None
 }
 
-/// Whether edges `i < j` have more in common than the corner that neighbours share.
+/// True if edges `i < j` have more in common than the corner that neighbours share.
 fn edges_meet(points: &[Point], i: usize, j: usize) -> bool {
     let n = points.len();
     let (a, b) = (points[i], points[(i + 1) % n]);
@@ -46,7 +45,7 @@ fn edges_meet(points: &[Point], i: usize, j: usize) -> bool {
     !separated && boxes_meet(a, b, c, d)
 }
 
-/// Whether the way a, b, c returns over itself.
+/// True if the path a, b, c returns over itself.
 fn folds_back(a: Point, b: Point, c: Point) -> bool {
     let forward = (b[0] - a[0]) * (c[0] - b[0]) + (b[1] - a[1]) * (c[1] - b[1]);
     turn(a, b, c) == 0.0 && forward < 0.0
@@ -57,7 +56,7 @@ fn turn(a: Point, b: Point, c: Point) -> f64 {
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
 
-/// Whether the bounding boxes of two edges meet; decides the case of edges on one line.
+/// True if the bounding boxes of two edges meet; decides the case of edges on one line.
 fn boxes_meet(a: Point, b: Point, c: Point, d: Point) -> bool {
     (0..2).all(|k| a[k].max(b[k]) >= c[k].min(d[k]) && c[k].max(d[k]) >= a[k].min(b[k]))
 }

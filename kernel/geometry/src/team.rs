@@ -16,11 +16,11 @@ const SHORTEST_SHARE_OF_SEARCHES: usize = 1 << 5;
 
 /// Parts per thread of many small items.
 const PARTS_PER_THREAD: usize = 4;
-/// How long a thread that has nothing left to do stays awake for the others to end. To wake one takes a twentieth of a
-/// millisecond or more, and the next work that is shared out follows at once in most of a step.
+/// Time for which a thread without work stays awake until the others end. To wake one takes a twentieth of a millisecond or
+/// more, and the next work that is shared out follows at once in most of a step.
 const PATIENCE: Duration = Duration::from_micros(200);
 
-/// How much there is to do for one of many items.
+/// Amount of work for one of many items.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ItemCost {
     /// Next to nothing.
@@ -73,8 +73,8 @@ impl Team {
         self.count
     }
 
-    /// Has a thread of the team do `work`. To hand work over to the team takes longer than to share it out within, so
-    /// that what shares several times is to be led as a whole.
+    /// Gives `work` to a thread of the team. To hand work over to the team takes longer than to share it out within, so that
+    /// what shares several times is to be led as a whole.
     pub fn lead<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
         match &self.pool {
             Some(pool) => pool.install(work),
@@ -125,7 +125,7 @@ impl Team {
         });
     }
 
-    /// How many of so many items a thread is to take at once.
+    /// Number of items that a thread takes at once, of so many.
     #[must_use]
     pub fn share(&self, items: usize, work: ItemCost) -> usize {
         let shortest = match work {
@@ -152,7 +152,7 @@ impl Team {
     }
 }
 
-/// Has as many helpers as that and the caller help.
+/// Lets as many helpers as that and the caller help.
 fn among(helpers: usize, help: &(impl Fn() + Sync)) {
     if helpers == 0 {
         help();
@@ -164,9 +164,9 @@ fn among(helpers: usize, help: &(impl Fn() + Sync)) {
 /// Parts of some work that threads take one after the other.
 struct Work<I> {
     parts: Mutex<Fuse<I>>,
-    /// How many are taken.
+    /// Number of items that are taken.
     taken: AtomicUsize,
-    /// How many of them are done.
+    /// Number of items that are done.
     done: AtomicUsize,
 }
 
@@ -187,7 +187,7 @@ impl<I: Iterator> Work<I> {
         Some(part)
     }
 
-    /// Does parts until none is left to take, and then waits a while for the others.
+    /// Takes parts until none is left, and then waits a while for the others.
     fn help(&self, act: impl Fn(I::Item)) {
         while let Some(part) = self.take() {
             act(part);
@@ -205,7 +205,7 @@ impl<I: Iterator> Work<I> {
     }
 }
 
-/// What a lock holds. No act runs while one is held, so that none is ever left behind half written.
+/// Guarded value of a lock. No act runs while one is held, so that none is ever left behind half written.
 fn unpoisoned<G>(lock: Result<G, PoisonError<G>>) -> G {
     lock.unwrap_or_else(PoisonError::into_inner)
 }

@@ -6,7 +6,7 @@
 
 use super::{Choice, Constant, ConstantDefault, ConstantRange, InvalidConstant};
 
-/// Whether softening scales with the cell.
+/// True if softening scales with the size of the cell.
 pub(super) const REGULARISATION: Choice = Choice {
     key: "regularisation",
     words: &["none", "crack_band"],
@@ -23,7 +23,7 @@ pub(super) const WIDTH: Constant = Constant {
     given: ConstantDefault::Or(0.0),
 };
 
-/// What softens without a length of its own.
+/// A law that softens without a length of its own.
 const NOT_CONVERGED: &str = "strength falls with strain: strain gathers in bands as wide as a cell, and the energy that a \
      band takes is proportional to the cell size, so that results do not converge as cells become smaller; \
      \"regularisation\": \"crack_band\" scales softening with the cell";
@@ -31,7 +31,7 @@ const NOT_CONVERGED: &str = "strength falls with strain: strain gathers in bands
 /// The band of a law that may soften.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Band {
-    /// Whether softening scales with the cell.
+    /// True if softening scales with the size of the cell.
     pub scales: bool,
     /// Width of the band in which strength was seen to fall \[m\].
     pub width: f64,
@@ -40,14 +40,14 @@ pub struct Band {
 }
 
 impl Band {
-    /// Of a law whose softening does not know a length.
+    /// Band of a law whose softening does not know a length.
     pub const NONE: Self = Self {
         scales: false,
         width: 0.0,
         cell: 0.0,
     };
 
-    /// Of a law whose strength was seen to fall in a band of that width \[m\].
+    /// Band of a law whose strength was seen to fall in a band of that width \[m\].
     #[must_use]
     pub const fn of_width(width: f64) -> Self {
         Self {
@@ -57,7 +57,7 @@ impl Band {
         }
     }
 
-    /// Of the number of a word of [`REGULARISATION`] and a value of [`WIDTH`].
+    /// Band from the number of a word of [`REGULARISATION`] and a value of [`WIDTH`].
     pub(super) const fn read(choice: usize, width: f64) -> Self {
         Self {
             scales: choice == 1,
@@ -71,7 +71,7 @@ impl Band {
         (self.scales && self.width > 0.0).then_some(Self { cell, ..self })
     }
 
-    /// What plastic strain counts.
+    /// Factor on the plastic strain that softening counts.
     pub(super) fn factor(self) -> f64 {
         if self.scales && self.width > 0.0 && self.cell > 0.0 {
             self.cell / self.width
@@ -80,12 +80,12 @@ impl Band {
         }
     }
 
-    /// Whether a law that softens by such a slope is what it will be in the cells of a scene.
+    /// True if a law that softens by such a slope has the size of the cells of its scene.
     fn is_placed(self) -> bool {
         !self.scales || self.cell > 0.0
     }
 
-    /// What is wrong with the band itself.
+    /// Faults of the band itself.
     pub(super) fn problems(self) -> Option<InvalidConstant> {
         if self.scales && self.width == 0.0 {
             Some(InvalidConstant {
@@ -140,7 +140,7 @@ impl Band {
         })
     }
 
-    /// What is to be said of a law that softens.
+    /// Warning of a law that softens without a length of its own.
     pub(super) fn warning(self) -> Option<String> {
         (!self.scales).then(|| NOT_CONVERGED.to_owned())
     }

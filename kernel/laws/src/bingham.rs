@@ -26,8 +26,8 @@ pub struct Bingham {
 }
 
 impl Bingham {
-    /// Of a bulk modulus \[Pa\], a viscosity \[Pa s\], a yield stress in shear \[Pa\] and the shear modulus \[Pa\] of what does
-    /// not flow, with p = -K ln J, in tension too.
+    /// Law of a bulk modulus \[Pa\], a viscosity \[Pa s\], a yield stress in shear \[Pa\] and the shear modulus \[Pa\] of the
+    /// part that does not flow, with p = -K ln J, in tension too.
     #[must_use]
     pub const fn new(bulk: f64, viscosity: f64, yield_stress: f64, shear: f64) -> Self {
         let state = EquationOfState {
@@ -179,7 +179,7 @@ impl Law for Bingham {
             + (normal + 2.0 * sheared) / (4.0 * share * self.shear()) * particle.volume
     }
 
-    /// What the flow has dissipated.
+    /// Energy that the flow has dissipated.
     fn dissipated(&self, particle: &Particle<'_>) -> f64 {
         particle.variables[0] * particle.mass / particle.density
     }

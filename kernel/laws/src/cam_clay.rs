@@ -43,8 +43,7 @@ const ITERATIONS: usize = 6;
 const TOLERANCE: f64 = 1e-9;
 
 impl CamClay {
-    /// Of the stress ratio q/p at the critical state M, the slopes of ln v against ln p in first compression lambda
-    /// and in
+    /// Law of the stress ratio q/p at the critical state M, the slopes of ln v against ln p in first compression lambda and in
     /// swelling kappa, and Poisson's ratio. It is normally consolidated under the stress at the start.
     #[must_use]
     pub const fn new(critical_ratio: f64, compression: f64, swelling: f64, poisson: f64) -> Self {
@@ -205,13 +204,13 @@ impl CamClay {
 struct EllipseReturn<L: Lanes> {
     pressure: L,
     preconsolidation: L,
-    /// Of the deviator to that of the trial stress.
+    /// Ratio of the deviator to that of the trial stress.
     ratio: L,
     /// Plastic volume strain, compression positive.
     compression: L,
     /// Plastic strain.
     strain: L,
-    /// Where Newton's method came to its end.
+    /// Lanes in which Newton's method converged.
     found: L::Mask,
 }
 
@@ -337,7 +336,7 @@ impl Law for CamClay {
         9.0 * bulk * shear / (3.0 * bulk + shear)
     }
 
-    /// At the reference pressure, or that of preconsolidation where it is larger.
+    /// Wave speed at the reference pressure, or at that of preconsolidation where it is larger.
     fn wave_speed(&self, density: f64) -> f64 {
         let [bulk, shear] = self.moduli();
         ((bulk + 4.0 / 3.0 * shear) / density).sqrt()

@@ -9,14 +9,14 @@ use super::{Choice, Constant, InvalidConstant, LinearElastic, Readable};
 use proctor_kernel::lanes::Lanes;
 use proctor_kernel::layout::Variable;
 
-/// Where the cone of Drucker and Prager touches the pyramid of Mohr and Coulomb.
+/// Matching of Drucker and Prager's cone to Mohr and Coulomb's pyramid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ConeMatch {
-    /// In plane strain at flow.
+    /// Matched in plane strain at flow.
     PlaneStrain,
-    /// At the edges of triaxial compression.
+    /// Matched at the edges of triaxial compression.
     Outer,
-    /// At the edges of triaxial extension.
+    /// Matched at the edges of triaxial extension.
     Inner,
 }
 
@@ -41,7 +41,7 @@ pub struct DruckerPrager {
 }
 
 impl DruckerPrager {
-    /// Of Young's modulus \[Pa\], Poisson's ratio, friction \[°\], cohesion \[Pa\] and dilation \[°\] of Mohr and Coulomb.
+    /// Law of Young's modulus \[Pa\], Poisson's ratio, friction \[°\], cohesion \[Pa\] and dilation \[°\] of Mohr and Coulomb.
     #[must_use]
     pub fn new(
         young: f64,

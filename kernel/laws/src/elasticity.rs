@@ -34,7 +34,7 @@ pub struct Isotropic {
 }
 
 impl Isotropic {
-    /// Of Young's modulus \[Pa\] and Poisson's ratio.
+    /// Law of Young's modulus \[Pa\] and Poisson's ratio.
     #[must_use]
     pub const fn new(young: f64, poisson: f64) -> Self {
         Self {

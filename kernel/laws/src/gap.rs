@@ -21,7 +21,7 @@ pub struct TensionApex<L> {
     pub radius: L,
 }
 
-/// How much of a gap closes under a trial stress, and the trial stress with it.
+/// Part of a gap that closes under a trial stress, and the trial stress with it.
 #[inline(always)]
 pub(super) fn close<L: Lanes>(stress: &mut [L; 6], gap: L, bulk: f64) -> L {
     let zero = L::splat(0.0);

@@ -16,7 +16,7 @@ pub struct Hencky {
 }
 
 impl Hencky {
-    /// Of Young's modulus \[Pa\] and Poisson's ratio at small strain.
+    /// Law of Young's modulus \[Pa\] and Poisson's ratio at small strain.
     #[must_use]
     pub const fn new(young: f64, poisson: f64) -> Self {
         Self {

@@ -39,7 +39,7 @@ impl LinearElastic {
         }
     }
 
-    /// Of Young's modulus \[Pa\], Poisson's ratio and the rate of Hughes and Winget.
+    /// Law of Young's modulus \[Pa\], Poisson's ratio and the rate of Hughes and Winget.
     #[must_use]
     pub const fn new(young: f64, poisson: f64) -> Self {
         Self::with_rate(young, poisson, ObjectiveRate::HughesWinget)
@@ -54,7 +54,7 @@ impl LinearElastic {
         }
     }
 
-    /// Of a shear modulus \[Pa\] and no resistance to a change of volume.
+    /// Law of a shear modulus \[Pa\] and no resistance to a change of volume.
     pub(super) const fn of_shear(shear: f64) -> Self {
         Self {
             elasticity: Isotropic {
@@ -118,7 +118,7 @@ impl Law for LinearElastic {
         self.elasticity.young
     }
 
-    /// As every step forms it, from the volume of a unit of mass.
+    /// Wave speed as every step forms it, from the volume of a unit of mass.
     fn wave_speed(&self, density: f64) -> f64 {
         ((self.elasticity.lambda + 2.0 * self.elasticity.shear) * (1.0 / density)).sqrt()
     }

@@ -34,7 +34,7 @@ struct Piece {
 pub(super) struct Marks {
     /// Rows as they were given.
     rows: [[f64; 2]; MOST],
-    /// How many were given, more than [`MOST`] of which are refused.
+    /// Number of values that were given; more than [`MOST`] are refused.
     count: usize,
     pieces: [Piece; MOST + 1],
 }
@@ -52,7 +52,7 @@ impl Marks {
         }; MOST + 1],
     };
 
-    /// Of rows of plastic strain and yield stress \[Pa\].
+    /// Curve of rows of plastic strain and yield stress \[Pa\].
     pub fn new(rows: &[[f64; 2]]) -> Self {
         let mut marks = Self {
             count: rows.len(),
@@ -117,7 +117,7 @@ impl Marks {
         most
     }
 
-    /// What is wrong with a row: the first that is.
+    /// First fault of a row.
     pub fn problem(&self) -> Option<InvalidConstant> {
         let unfit = |found: String, accepted: String| {
             Some(InvalidConstant {

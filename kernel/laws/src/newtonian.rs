@@ -21,7 +21,7 @@ pub(super) const VISCOSITY: Constant = Constant {
     given: ConstantDefault::Needed,
 };
 
-/// What becomes of a fluid that is drawn apart.
+/// Behaviour of a fluid that is drawn apart.
 pub(super) const TENSION: Choice = Choice {
     key: "tension",
     words: &["carried", "none"],
@@ -37,7 +37,7 @@ pub struct Newtonian {
 }
 
 impl Newtonian {
-    /// Of a bulk modulus \[Pa\] and a viscosity \[Pa s\], with p = -K ln J, in tension too.
+    /// Law of a bulk modulus \[Pa\] and a viscosity \[Pa s\], with p = -K ln J, in tension too.
     #[must_use]
     pub const fn new(bulk: f64, viscosity: f64) -> Self {
         let state = EquationOfState {
@@ -140,7 +140,7 @@ impl Law for Newtonian {
         self.state.energy_density(particle.volume / initial) * initial
     }
 
-    /// What viscosity has dissipated.
+    /// Energy that viscosity has dissipated.
     fn dissipated(&self, particle: &Particle<'_>) -> f64 {
         particle.variables[0] * particle.mass / particle.density
     }

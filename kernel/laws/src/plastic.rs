@@ -56,10 +56,10 @@ pub trait YieldSurface: fmt::Debug + PartialEq + Send + Sync + 'static {
     /// [`WORK`], [`ALGORITHMIC`]).
     const VARIABLES: &'static [Variable] = &[STRAIN, WORK, ALGORITHMIC];
 
-    /// Which of them is the plastic volume strain ([`VOLUME_STRAIN`]), that of the gap included.
+    /// Index of the plastic volume strain among them ([`VOLUME_STRAIN`]), that of the gap included.
     const VOLUME: Option<usize> = None;
 
-    /// Which of them is the gap ([`GAP`](super::GAP)), for a law that parts where it would bear too much tension.
+    /// Index of the gap among them ([`GAP`](super::GAP)), for a law that parts where it would bear too much tension.
     const GAP: Option<usize> = None;
 
     /// See [`Law::name`].
@@ -272,7 +272,7 @@ pub fn update<Y: YieldSurface, L: Lanes, const D: usize>(
     speed_squared
 }
 
-/// Whether a gap of a group is open.
+/// True if a gap of a group is open.
 #[inline(always)]
 fn parted<L: Lanes, Y: YieldSurface>(variables: &[L]) -> bool {
     match Y::GAP {
@@ -310,7 +310,7 @@ fn opened<L: Lanes, Y: YieldSurface, const D: usize>(
     }
 }
 
-/// What lies between a trial stress and the stress after it.
+/// Path from a trial stress to the stress after the return.
 struct ReturnPath<L> {
     /// Plastic deviatoric strain, sqrt(2/3 e : e) of the deviator e of the plastic strain increment.
     strain: L,

@@ -127,7 +127,7 @@ impl Point {
     /// 2 x 2 block counts.
     ///
     /// # Errors
-    /// Where the law gives no finite stress, or no volume is left.
+    /// If the law gives no finite stress, or no volume is left.
     pub fn step(&mut self, gradient: &[[f64; 3]; 3], dt: f64) -> Result<(), PointFault> {
         let mut gradients = Gradients::zero();
         for a in 0..self.axes {

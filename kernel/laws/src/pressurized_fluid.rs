@@ -15,7 +15,7 @@ pub(super) const VISCOUS_WORK: Variable = Variable::scalar("viscous work", "J/mÂ
 #[derive(Clone, Debug, PartialEq)]
 pub struct PressurizedFluid<F>(pub F);
 
-/// Which variable is [`UNPRESSED`].
+/// Index of the variable [`UNPRESSED`].
 const PLACE: usize = 1;
 
 impl<F: Law> PressurizedFluid<F> {

@@ -35,7 +35,7 @@ pub struct EquationOfState {
     pub bulk: f64,
     /// Exponent n; 0 for the logarithm.
     pub exponent: f64,
-    /// Whether the fluid carries tension; one that does not parts where it would, at no pressure.
+    /// True if the fluid carries tension; one that does not parts where it would, at no pressure.
     pub carries_tension: bool,
 }
 

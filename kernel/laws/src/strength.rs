@@ -66,7 +66,7 @@ pub(super) fn largest_tension(tensile: f64, sine: f64, cosine: f64, cohesion: f6
     }
 }
 
-/// What is likely to be meant otherwise.
+/// Warnings of constants that probably mean something else.
 pub(super) fn warnings(friction: f64, dilation: f64) -> Vec<String> {
     let mut all = vec![];
     if friction > 0.0 && friction < std::f64::consts::FRAC_PI_2 {
@@ -83,7 +83,7 @@ pub(super) fn warnings(friction: f64, dilation: f64) -> Vec<String> {
     all
 }
 
-/// What does not go together.
+/// Constants that do not go together.
 pub(super) fn problems(
     friction: f64,
     dilation: f64,

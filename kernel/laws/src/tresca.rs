@@ -12,7 +12,7 @@ use proctor_kernel::layout::Variable;
 pub struct Tresca(MohrCoulomb);
 
 impl Tresca {
-    /// Of Young's modulus \[Pa\], Poisson's ratio and shear strength \[Pa\].
+    /// Law of Young's modulus \[Pa\], Poisson's ratio and shear strength \[Pa\].
     #[must_use]
     pub fn new(young: f64, poisson: f64, cohesion: f64) -> Self {
         Self(MohrCoulomb::new(young, poisson, [0.0, cohesion, 0.0]))

@@ -26,7 +26,7 @@ pub struct VonMises {
 }
 
 impl VonMises {
-    /// Of Young's modulus \[Pa\], Poisson's ratio, yield stress \[Pa\] and hardening modulus \[Pa\].
+    /// Law of Young's modulus \[Pa\], Poisson's ratio, yield stress \[Pa\] and hardening modulus \[Pa\].
     #[must_use]
     pub const fn new(young: f64, poisson: f64, yield_stress: f64, hardening: f64) -> Self {
         Self {
@@ -90,18 +90,18 @@ impl VonMises {
         self.yield_stress
     }
 
-    /// Whether the yield stress stays what it is.
+    /// True if the yield stress is constant.
     #[must_use]
     pub fn is_perfect(&self) -> bool {
         self.hardening == 0.0 && self.saturation == 0.0 && self.marks.is_empty()
     }
 
-    /// By how much q falls per plastic strain where the strain is held, 3 G \[Pa\].
+    /// Fall of q per plastic strain where the strain is held, 3 G \[Pa\].
     fn stiffness(&self) -> f64 {
         3.0 * self.elastic.elasticity().shear
     }
 
-    /// Whether the yield stress falls anywhere.
+    /// True if the yield stress falls anywhere.
     fn softens(&self) -> bool {
         self.hardening < 0.0 || self.marks.steepest(self.yield_stress) > 0.0
     }

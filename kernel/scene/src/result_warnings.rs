@@ -26,7 +26,7 @@ const HARDLY_PIC: f64 = 1e-6;
 pub enum ResultWarning {
     /// The energy balance does not close.
     Energy {
-        /// What no channel accounts for \[J\]; negative where it came from nowhere.
+        /// Energy that no channel accounts for \[J\]; negative if energy came from nowhere.
         remainder: f64,
         /// The largest energy that there was to turn over \[J\].
         scale: f64,
@@ -53,7 +53,7 @@ pub enum ResultWarning {
         ratio: f64,
         /// Share of the mass of a body beyond a ratio of 1.25.
         share: f64,
-        /// Whether the weighting function is a B-spline, which has no domains that could follow.
+        /// True if the weighting function is a B-spline, which has no domains that could follow.
         bspline: bool,
     },
     /// Angular momentum that FLIP lost.
@@ -79,7 +79,7 @@ impl ResultWarning {
         }
     }
 
-    /// Whether it is of the same kind as another, and of the same load.
+    /// True if it is of the same kind as another, and of the same load.
     #[must_use]
     pub fn is_like(&self, other: &Self) -> bool {
         match (self, other) {
@@ -88,7 +88,7 @@ impl ResultWarning {
         }
     }
 
-    /// How far it is over what is accepted: of two of one kind the larger tells more.
+    /// Ratio to the accepted value: of two cautions of one kind the larger ratio tells more.
     #[must_use]
     pub fn size(&self) -> f64 {
         match self {
@@ -253,7 +253,7 @@ impl Simulation {
         })
     }
 
-    /// Whether the method takes energy that no channel has.
+    /// True if the method takes energy that no channel has.
     fn dissipates(&self, quality: &ResultQuality) -> bool {
         let settings = &self.model().settings;
         let Transfer { kind, pic_fraction } = settings.transfer;

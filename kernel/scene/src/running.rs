@@ -37,7 +37,7 @@ impl Scene {
     /// Checks the scene and sets it in motion.
     ///
     /// # Errors
-    /// What is wrong with the scene, every problem with the path of its value, or why it cannot be set up.
+    /// If the scene has faults, each with the path of its value, or cannot be set up.
     pub fn simulate(&self, options: &Options) -> Result<Simulation, StartError> {
         self.check().map_err(StartError::Scene)?;
         Simulation::new(self, options).map_err(StartError::Setup)

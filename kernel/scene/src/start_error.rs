@@ -4,7 +4,7 @@ use crate::values::SceneError;
 use proctor_kernel::simulation::SetupError;
 use std::fmt;
 
-/// Why a scene does not start.
+/// Error of a scene that does not start.
 #[derive(Debug)]
 pub enum StartError {
     /// The scene is not sound.

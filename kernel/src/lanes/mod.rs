@@ -159,19 +159,19 @@ pub trait Backend: Copy {
     type Line: Lanes;
     /// Four lanes.
     type Half: Quad;
-    /// Whether a line is one register: then both of its halves cost no more than one.
+    /// True if a line is one register: then both of its halves cost no more than one.
     const WHOLE_LINE: bool;
 }
 
 /// A computation that is compiled for every backend.
 pub trait Kernel {
-    /// What it returns.
+    /// Result of the kernel.
     type Output;
     /// Runs it; must be `#[inline(always)]`.
     fn run<B: Backend>(self) -> Self::Output;
 }
 
-/// Which lanes to use.
+/// Choice of the lanes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum LaneChoice {
     /// The widest that the machine has.
@@ -240,7 +240,7 @@ impl Selected {
     /// Selects a backend.
     ///
     /// # Errors
-    /// Where the machine lacks the instruction set that was asked for.
+    /// If the machine lacks the instruction set that was asked for.
     pub fn new(choice: LaneChoice) -> Result<Self, LanesUnavailable> {
         #[cfg(target_arch = "x86_64")]
         {

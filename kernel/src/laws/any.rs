@@ -24,7 +24,7 @@ impl Deref for AnyLaw {
 }
 
 impl AnyLaw {
-    /// Whether it is a fluid: its pressure follows from its volume, and no shear stress lasts.
+    /// True for a fluid: its pressure follows from its volume, and no shear stress lasts.
     #[must_use]
     pub fn is_fluid(&self) -> bool {
         self.initial_volume_ratio(-self.young()) != 1.0

@@ -5,13 +5,13 @@
 pub struct Constant {
     /// Key in scene files.
     pub key: &'static str,
-    /// What it is.
+    /// Meaning of the constant.
     pub meaning: &'static str,
     /// SI unit; empty for a plain number.
     pub unit: &'static str,
-    /// Which values.
+    /// Accepted values.
     pub accepted: ConstantRange,
-    /// What it is where a scene does not say.
+    /// Value if the scene gives none.
     pub given: ConstantDefault,
 }
 
@@ -22,11 +22,11 @@ pub enum ConstantDefault {
     Needed,
     /// A number.
     Or(f64),
-    /// What an earlier constant of the law with this key is.
+    /// Value of an earlier constant of the law, by its key.
     As(&'static str),
 }
 
-/// Which values a constant may have.
+/// Range of the accepted values of a constant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ConstantRange {
     /// Finite and greater than zero.
@@ -49,7 +49,7 @@ pub type Rows = Vec<[f64; 2]>;
 pub struct Curve {
     /// Key in scene files.
     pub key: &'static str,
-    /// What it is.
+    /// Meaning of the constant.
     pub meaning: &'static str,
     /// SI units of both columns; empty for a plain number.
     pub units: [&'static str; 2],
@@ -62,14 +62,14 @@ pub struct Curve {
 pub struct InvalidConstant {
     /// Its key.
     pub key: &'static str,
-    /// What was found.
+    /// Value that was found.
     pub found: String,
-    /// What is accepted.
+    /// Values that are accepted.
     pub accepted: String,
 }
 
 impl ConstantRange {
-    /// Whether a value is accepted.
+    /// True if a value is accepted.
     #[must_use]
     pub fn holds(self, value: f64) -> bool {
         value.is_finite()

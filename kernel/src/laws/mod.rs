@@ -43,11 +43,11 @@ pub trait Law: fmt::Debug + PartialEq + Send + Sync + 'static {
     /// no two may have the same name.
     const VARIABLES: &'static [Variable] = &[];
 
-    /// Whether it has a yield surface, so that the work of its strain is stored, plastic or algorithmic.
+    /// True if it has a yield surface, so that the work of its strain is stored, plastic or algorithmic.
     const YIELDS: bool = false;
 
-    /// Whether the stress follows from the deformation gradient, not from the stress before. Such a law is given F and
-    /// J = det F but no stress, and volumes are V_0 J; any other is given the stress before, and must not use F.
+    /// True if the stress follows from the deformation gradient, not from the stress before. Such a law is given F and J = det
+    /// F but no stress, and volumes are V_0 J; any other is given the stress before, and must not use F.
     const NEEDS_DEFORMATION: bool = false;
 
     /// Name in plans and messages.
@@ -63,12 +63,12 @@ pub trait Law: fmt::Debug + PartialEq + Send + Sync + 'static {
         vec![]
     }
 
-    /// What of its constants does not go together; each by itself is accepted.
+    /// Combinations of its constants that are refused; each constant by itself is accepted.
     fn problems(&self) -> Vec<InvalidConstant> {
         vec![]
     }
 
-    /// What a scene may do with it, but not well: each a sentence.
+    /// Warnings of constants that run but may give a poor result, each a sentence.
     fn warnings(&self) -> Vec<String> {
         vec![]
     }
@@ -116,7 +116,7 @@ pub trait Law: fmt::Debug + PartialEq + Send + Sync + 'static {
         None
     }
 
-    /// Whether it parts where it would be in tension, and carries nothing then, however far its volume grows: nothing of it
+    /// True if it parts where it would be in tension, and carries nothing then, however far its volume grows: nothing of it
     /// stiffens as it does.
     fn parts(&self) -> bool {
         false
@@ -189,12 +189,12 @@ impl StrainRange {
     }
 }
 
-/// What a law is told of a step, in lanes.
+/// Input of a law in a step, in lanes.
 #[derive(Clone, Copy, Debug)]
 pub struct Increment<L> {
     /// Velocity gradient times time step, G = dt L; the leading D x D block counts.
     pub gradient: Matrix<L>,
-    /// Whether it belongs to the positions at the beginning or the end of the step.
+    /// Configuration of its gradient: the positions at the beginning or the end of the step.
     pub configuration: Configuration,
     /// Time step \[s\].
     pub dt: f64,

@@ -39,7 +39,7 @@ impl Gradients {
         Self([[0.0; BLOCK + MOST_LANES]; 9])
     }
 
-    /// Those of a group that begins at particle `at` of the block.
+    /// Columns of a group that begins at particle `at` of the block.
     #[inline(always)]
     #[must_use]
     pub(crate) fn load<L: Lanes, const D: usize>(&self, at: usize) -> Matrix<L> {
@@ -59,7 +59,7 @@ impl Gradients {
 pub struct Block<'a, 'b> {
     /// Columns of the particles of the call.
     pub columns: &'a mut [&'b mut [f64]],
-    /// Where the columns are.
+    /// Layout of the columns.
     pub layout: &'a Layout,
     /// The block among these particles.
     pub range: Range<usize>,
@@ -67,15 +67,15 @@ pub struct Block<'a, 'b> {
     pub gradients: &'a Gradients,
     /// Time step \[s\].
     pub dt: f64,
-    /// Whether gradients belong to the positions at the beginning or the end of the step.
+    /// Configuration of the gradients: the positions at the beginning or the end of the step.
     pub configuration: Configuration,
     /// Initial density \[kg/m³\].
     pub density: f64,
-    /// Whether volumes are V_0 det F although the law has no use for F.
+    /// True if volumes are V_0 det F although the law has no use for F.
     pub volume_of_deformation: bool,
 }
 
-/// What was found in a block.
+/// Findings in a block.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BlockStrain {
     /// Largest square of a wave speed \[m²/s²\].
@@ -86,7 +86,7 @@ pub struct BlockStrain {
     pub fault: Option<usize>,
 }
 
-/// What the cycle asks of a [`Law`] of a type that it does not know. Every law has it.
+/// Interface of the cycle to a [`Law`] of a type that it does not know. Every law has it.
 pub trait Strain: Any + fmt::Debug + Send + Sync {
     /// See [`Law::name`].
     fn name(&self) -> &'static str;
@@ -132,7 +132,7 @@ pub trait Strain: Any + fmt::Debug + Send + Sync {
     fn algorithmic(&self, particle: &Particle<'_>) -> f64;
     /// Square of the speed of the fastest wave of a particle at rest \[m²/s²\].
     fn speed_squared(&self, particle: &Particle<'_>) -> f64;
-    /// Whether another law is the same.
+    /// True if another law is the same.
     fn equals(&self, other: &dyn Strain) -> bool;
     /// Strains a block of particles.
     fn strain(&self, lanes: Selected, block: Block<'_, '_>) -> BlockStrain;

@@ -11,7 +11,7 @@ use crate::lanes::Lanes;
 /// A matrix of lanes; the leading 2x2 block in two dimensions.
 pub type Matrix<L> = [[L; 3]; 3];
 
-/// Whether the gradient belongs to the positions at the beginning or the end of the step.
+/// Configuration of a gradient: the positions at the beginning or the end of the step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Configuration {
     /// f = 1 + G.

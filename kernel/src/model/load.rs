@@ -54,7 +54,7 @@ pub struct BaseMotion {
     pub axis: usize,
     /// 0 the lower, 1 the upper plane of that axis.
     pub side: usize,
-    /// What is prescribed.
+    /// Motion that is prescribed.
     pub motion: Motion,
 }
 

@@ -1,7 +1,6 @@
 //! Choices of the method: weighting, stress scheme, transfer, time step, damping.
 
-/// How the time step is chosen. The critical step of the scheme is the ceiling in every case, unless
-/// `allow_unstable` lifts it.
+/// Choice of the time step. The critical step of the scheme is the ceiling in every case, unless `allow_unstable` lifts it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum TimeStep {
     /// A safe fraction of the scheme's own stability bound, chosen anew in each step.
@@ -35,7 +34,7 @@ pub enum Weighting {
     QuadraticBSpline,
 }
 
-/// How the half-lengths `l_p` of a cpGIMP particle domain follow the deformation gradient F.
+/// Update of the half-lengths `l_p` of a cpGIMP particle domain from the deformation gradient F.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DomainUpdate {
     /// `l_p = l_p0 (det F)^(1/d)`.
@@ -46,7 +45,7 @@ pub enum DomainUpdate {
     LeftStretch,
 }
 
-/// When the stress is updated.
+/// Stress scheme: the place of the stress update in the cycle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StressScheme {
     /// Update stress first.
@@ -57,7 +56,7 @@ pub enum StressScheme {
     Musl,
 }
 
-/// How velocity is carried between particles and nodes.
+/// Transfer of velocity between particles and nodes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Transfer {
     /// Kind of transfer.
@@ -80,14 +79,14 @@ pub enum TransferKind {
     Mls,
 }
 
-/// Where the volumetric part of strain and stress meets the nodes.
+/// Averaging of the volumetric part of strain and stress.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum VolumetricStrain {
-    /// At the particle, as all other parts.
+    /// Taken at the particle, as all other parts.
     Particle,
-    /// As the mean over the cells in which the particle domain lies: selective reduced integration, the B-bar of Hughes (1980)
-    /// with the mean dilatation of Nagtegaal, Parks and Rice (1974). A cell then has one volumetric strain, whatever
-    /// the number of its particles, and nearly incompressible material does not lock.
+    /// Taken as the mean over the cells in which the particle domain lies: selective reduced integration, the B-bar of Hughes
+    /// (1980) with the mean dilatation of Nagtegaal, Parks and Rice (1974). A cell then has one volumetric strain, whatever the
+    /// number of its particles, and nearly incompressible material does not lock.
     CellAverage,
 }
 

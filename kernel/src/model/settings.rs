@@ -5,7 +5,7 @@ use super::{
     PointLoad, StressScheme, TimeStep, Traction, Transfer, Vector, Weighting,
 };
 
-/// What happens to a particle that leaves the mesh.
+/// Treatment of a particle that leaves the mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outside {
     /// The run stops with a typed error.
@@ -14,7 +14,7 @@ pub enum Outside {
     Remove,
 }
 
-/// What happens when a balance of the run does not hold.
+/// Reaction to a balance of the run that does not hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OnImbalance {
     /// The run goes on, and says at its end since when it is not to be trusted.
@@ -30,15 +30,15 @@ pub struct CycleSettings {
     pub dimension: Dimension,
     /// Background mesh.
     pub mesh: Mesh,
-    /// How the time step is chosen.
+    /// Choice of the time step.
     pub time_step: TimeStep,
     /// Acceleration of gravity \[m/s²\].
     pub gravity: Vector,
     /// Weighting function `S_Ip`.
     pub weighting: Weighting,
-    /// When the stress is updated in the cycle.
+    /// Stress scheme: the place of the stress update in the cycle.
     pub scheme: StressScheme,
-    /// How velocity is carried between particles and nodes.
+    /// Transfer of velocity between particles and nodes.
     pub transfer: Transfer,
     /// Numerical damping.
     pub damping: Damping,
@@ -64,21 +64,21 @@ pub struct CycleSettings {
     pub water_pressures: [[Option<f64>; 2]; 3],
     /// True where a body has a stress at the start.
     pub starts_stressed: bool,
-    /// What happens to a particle that leaves the mesh.
+    /// Treatment of a particle that leaves the mesh.
     pub outside: Outside,
-    /// What happens when energy, momentum or a strain increment is out of balance.
+    /// Reaction to an imbalance of energy, momentum or a strain increment.
     pub on_imbalance: OnImbalance,
 }
 
 impl CycleSettings {
-    /// Whether a boundary plane has a condition: 0 the lower, 1 the upper plane of the axis. A moving base is one.
+    /// True if a boundary plane has a condition: 0 the lower, 1 the upper plane of the axis. A moving base is one.
     #[must_use]
     pub fn plane_acts(&self, axis: usize, side: usize) -> bool {
         plane_acts(&self.mesh, self.base_motion.as_ref(), axis, side)
     }
 }
 
-/// Whether a boundary plane of a mesh has a condition, or is the moving base.
+/// True if a boundary plane of a mesh has a condition, or is the moving base.
 #[must_use]
 pub fn plane_acts(mesh: &Mesh, base: Option<&BaseMotion>, axis: usize, side: usize) -> bool {
     mesh.planes[axis][side] != PlaneCondition::Free

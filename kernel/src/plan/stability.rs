@@ -77,7 +77,7 @@ fn between(row: &[f64; 3], half_length: f64) -> f64 {
     row[lower] + share * (row[upper] - row[lower])
 }
 
-/// Whether [`stability_number`] holds for every body. It does not for linear functions with USL or an affine transfer, which a
+/// True if [`stability_number`] holds for every body. It does not for linear functions with USL or an affine transfer, which a
 /// nearly empty node can make unstable at any step.
 #[must_use]
 pub fn has_safe_step(weighting: Weighting, scheme: StressScheme, transfer: TransferKind) -> bool {

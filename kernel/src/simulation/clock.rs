@@ -67,12 +67,12 @@ pub(super) fn length(v: &Vector) -> f64 {
     v.iter().map(|c| c * c).sum::<f64>().sqrt()
 }
 
-/// What bounds a step, and the numbers behind it.
+/// Bounds of a step, and the numbers behind them.
 #[derive(Clone, Copy, Debug)]
 struct Limits {
     /// Critical step without damping \[s\].
     undamped: f64,
-    /// What it is by.
+    /// Bound that decides.
     bound: Bound,
     /// Critical step of the scheme with it \[s\].
     damped: f64,
@@ -93,7 +93,7 @@ impl Limits {
         (AUTOMATIC_SHARE * self.undamped).min(DAMPED_SHARE * self.damped)
     }
 
-    /// What the automatic step is by.
+    /// Bound that decides the automatic step.
     fn automatic_bound(&self) -> Bound {
         if self.automatic() < AUTOMATIC_SHARE * self.undamped {
             Bound::Damping
@@ -125,7 +125,7 @@ impl Cycle {
         }
     }
 
-    /// What bounds a step, all that is there.
+    /// All bounds of a step.
     fn limits(&self) -> Limits {
         let limits = self.free_limits();
         let steps = self.interactions().map(Interaction::time_step);
@@ -214,7 +214,7 @@ impl Cycle {
         most
     }
 
-    /// What gravity and box loads accelerate a particle by, at most \[m/s²\].
+    /// Largest acceleration of a particle by gravity and box loads \[m/s²\].
     fn acceleration(&self) -> f64 {
         length(&self.model.settings.gravity) + self.work.load_acceleration
     }

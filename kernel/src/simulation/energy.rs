@@ -5,10 +5,10 @@
 //! what they change in the half step that is missing is added. Nodes hold what a step left there, and interactions are as
 //! they were, when that is done.
 //!
-//! What takes energy is summed where it acts, as impulse times the mean of the velocities before and after it: damping at
-//! the nodes, contact at the nodes where bodies meet, what laws dissipate in particles, and what particles took along that
-//! were removed. What no channel accounts for is the remainder: the transfer between particles and nodes, friction of some contacts,
-//! velocities that boundary planes stop, and errors of the time integration.
+//! Energy taken is summed where it is taken, as impulse times the mean of the velocities before and after it: damping at the
+//! nodes, contact at the nodes where bodies meet, dissipation of laws in particles, and the energy of removed particles. What
+//! no channel accounts for is the remainder: the transfer between particles and nodes, friction of some contacts, velocities
+//! that boundary planes stop, and errors of the time integration.
 
 use super::interactions::{Interaction, Interactions};
 use super::phase::PhaseTimer;
@@ -25,14 +25,14 @@ use std::ops::Range;
 /// Cells that particles may have travelled since the last sort for the nodes in use to hold what they map.
 const MAPPABLE: f64 = 1.0;
 
-/// What the forces at the present positions do in the half step that velocities are behind.
+/// Work of the forces at the present positions in the half step that velocities are behind.
 #[derive(Clone, Copy, Debug, Default)]
 struct HalfStep {
     /// Change of the kinetic energy of free bodies \[J\].
     kinetic: f64,
-    /// What interactions store at the present positions \[J\].
+    /// Energy that interactions store at the present positions \[J\].
     stored: f64,
-    /// What damping and contact take.
+    /// Energy that damping and contact take.
     sums: PlaneSums,
 }
 
@@ -177,7 +177,7 @@ impl Cycle {
         })
     }
 
-    /// By how much the kinetic energy of all fields that move freely has changed in the last equation of motion \[J\].
+    /// Change of the kinetic energy of all fields that move freely in the last equation of motion \[J\].
     fn change_of_kinetic_energy(&self, nodal: &NodalConditions) -> f64 {
         let grid = &self.work.grid;
         let driven = |body: usize| self.model.bodies[body].motion.is_some();

@@ -59,7 +59,7 @@ impl Cycle {
         self.state.extremes = self.extremes();
     }
 
-    /// Whether particle domains, or what a weighting function has in their place, keep the ratio of their sides.
+    /// True if particle domains, or the sizes that a weighting function has in their place, keep the ratio of their sides.
     fn domains_do_not_follow(&self) -> bool {
         matches!(
             self.model.settings.weighting,

@@ -59,7 +59,7 @@ impl Cycle {
         Ok(())
     }
 
-    /// What is not finite of a particle: what its law alone gave it, or anything else.
+    /// Quantity of a particle that is not finite: the result of its law, or another.
     fn not_finite(&self, set: usize, p: usize) -> StepErrorKind {
         const STRESS: [&[&str]; 2] = [
             &["stress xx", "stress yy", "stress zz", "stress xy"],

@@ -33,7 +33,7 @@ const SHARES_PER_THREAD: usize = 8;
 
 static ALONE: Team = Team::ALONE;
 
-/// Whose velocities a field holds.
+/// Owner of the velocities of a field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Owner {
     /// All bodies without a field of their own.
@@ -59,7 +59,7 @@ impl Owner {
 /// A velocity field of the grid.
 #[derive(Clone, Debug)]
 pub struct VelocityField {
-    /// Whose it is.
+    /// Owner of the field.
     pub owner: Owner,
     /// Values.
     pub nodes: Nodes,
@@ -90,9 +90,9 @@ pub struct Grid {
     pub fields: Vec<VelocityField>,
     /// Planes of each slab; together all planes.
     pub slabs: Vec<Range<usize>>,
-    /// Whether two fields share their velocity where they meet, by number, row by row.
+    /// True where two fields share their velocity where they meet, by number, row by row.
     pub joined: Vec<bool>,
-    /// Who shares the slabs.
+    /// Threads that share the slabs.
     pub team: Arc<Team>,
     /// True where bodies have water in their pores.
     pub has_water: bool,
@@ -110,7 +110,7 @@ struct PlaneCounts {
 
 /// The part of a field that one visit owns.
 pub struct SlabField<'a> {
-    /// Whose field it is.
+    /// Owner of the field.
     pub owner: Owner,
     /// Nodes.
     pub planes: Planes<'a>,
@@ -202,8 +202,8 @@ impl Grid {
         self.cut(sets);
     }
 
-    /// Has fields for exactly these bodies (indices in order of the identifier) beside that of the phase, with rows for
-    /// where their particles are now.
+    /// Makes fields for exactly these bodies (indices in order of the identifier) beside that of the phase, with rows for where
+    /// their particles are now.
     pub(crate) fn set_owners(&mut self, bodies: &[usize], sets: &[ParticleSet], stencil: usize) {
         let owners = self.fields[1..].iter().map(|field| field.owner);
         let water = self.has_water.then_some(Owner::Water);
@@ -230,7 +230,7 @@ impl Grid {
         }
     }
 
-    /// Whose fields there are, and their rows in use.
+    /// Owners of the fields, and their rows in use.
     #[must_use]
     #[inline]
     pub(crate) fn rows(&self) -> Vec<(Owner, ActiveRows)> {
@@ -238,7 +238,7 @@ impl Grid {
         fields.map(|f| (f.owner, f.rows.clone())).collect()
     }
 
-    /// Has these fields again.
+    /// Makes these fields again.
     pub(crate) fn set_rows(&mut self, rows: Vec<(Owner, ActiveRows)>) {
         let mut old = std::mem::take(&mut self.fields);
         for (owner, rows) in rows {
@@ -300,7 +300,7 @@ impl Grid {
         (number > 0).then(|| &self.fields[number])
     }
 
-    /// Who shares the particles: the caller alone where they are too few to be worth a second thread.
+    /// Threads that share the particles: the caller alone where they are too few to be worth a second thread.
     #[must_use]
     #[inline]
     pub(crate) fn team_of_particles(&self) -> &Team {

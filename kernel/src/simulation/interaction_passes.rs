@@ -13,7 +13,7 @@ use crate::stage::solve::PlaneSums;
 use std::any::Any;
 
 impl<'a> StepView<'a> {
-    /// That of a simulation in parts.
+    /// View of a simulation in parts.
     pub(super) fn of(model: &'a Model, state: &'a State, grid: &'a Grid) -> Self {
         Self {
             settings: &model.settings,
@@ -32,7 +32,7 @@ impl<'a> StepView<'a> {
 }
 
 impl<'a> StepUpdate<'a> {
-    /// That of a simulation in parts.
+    /// View of a simulation in parts.
     pub(super) fn of(
         model: &'a Model,
         state: &'a mut State,

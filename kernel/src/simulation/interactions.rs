@@ -27,7 +27,7 @@ pub trait Interaction: InteractionClone + Any + Send + Sync {
     /// Refuses a scene at its start.
     ///
     /// # Errors
-    /// What is wrong with it.
+    /// If it has a fault.
     fn start(&self, _view: &StepView<'_>) -> Result<(), SetupError> {
         Ok(())
     }
@@ -40,7 +40,7 @@ pub trait Interaction: InteractionClone + Any + Send + Sync {
         BodyList::new()
     }
 
-    /// Which of them keep a velocity of their own wherever another field is.
+    /// Bodies that keep a velocity of their own wherever another field is.
     fn apart(&self) -> BodyList {
         self.owners()
     }
@@ -65,7 +65,7 @@ pub trait Interaction: InteractionClone + Any + Send + Sync {
     /// interacted \[s\].
     ///
     /// # Errors
-    /// Where the step cannot go on.
+    /// If the step cannot go on.
     fn detect(&mut self, _view: &StepView<'_>, _free_step: f64) -> Result<(), InteractionError> {
         Ok(())
     }
@@ -83,7 +83,7 @@ pub trait Interaction: InteractionClone + Any + Send + Sync {
     /// Refuses a time step \[s\] in which something would pass through something else unseen.
     ///
     /// # Errors
-    /// What would.
+    /// If a body would pass through another unseen.
     fn check_time_step(&self, _view: &StepView<'_>, _dt: f64) -> Result<(), InteractionError> {
         Ok(())
     }
@@ -108,7 +108,7 @@ pub trait Interaction: InteractionClone + Any + Send + Sync {
     /// Acts on the velocities of all slabs together; the number of nodes or vertices where a force acts.
     ///
     /// # Errors
-    /// Where the step cannot go on.
+    /// If the step cannot go on.
     fn settle(
         &mut self,
         _update: &mut StepUpdate<'_>,
@@ -120,7 +120,7 @@ pub trait Interaction: InteractionClone + Any + Send + Sync {
     /// The same for velocities that were mapped a second time.
     ///
     /// # Errors
-    /// Where the step cannot go on.
+    /// If the step cannot go on.
     fn settle_remapped(
         &mut self,
         _update: &mut StepUpdate<'_>,
@@ -146,7 +146,7 @@ pub trait Interaction: InteractionClone + Any + Send + Sync {
         None
     }
 
-    /// Has that memory again.
+    /// Takes that memory back.
     fn give_scratch(&mut self, _scratch: Box<dyn Any + Send + Sync>) {}
 
     /// Energy that is stored between the fields \[J\].
@@ -256,13 +256,13 @@ impl SlabInteraction for SharedPart<'_> {
 }
 
 impl<'a> SlabPart<'a> {
-    /// Of an action with its own memory, which is asked for in each visit.
+    /// Slab part of an action with its own memory, which is asked for in each visit.
     #[must_use]
     pub fn own(part: impl SlabInteraction + 'a) -> Self {
         Self(OfSlab::Own(Box::new(part)))
     }
 
-    /// Of an action that all slabs share, with the memory of this one. It takes no memory.
+    /// Slab part of an action that all slabs share, with the memory of this one. It takes no memory.
     #[must_use]
     pub fn shared(action: &'a dyn SharedSlabInteraction, own: SlabMemory<'a>) -> Self {
         Self(OfSlab::Shared(SharedPart { action, own }))
@@ -290,7 +290,7 @@ pub struct BalanceTraits {
 }
 
 impl BalanceTraits {
-    /// Those of two interactions together.
+    /// Traits of two interactions together.
     #[must_use]
     pub(crate) fn and(self, other: Self) -> Self {
         Self {
@@ -323,7 +323,7 @@ impl<T: Interaction + Clone> InteractionClone for T {
     }
 }
 
-/// For each slab what acts there in a visit. Few slabs with one interaction take no memory for their list.
+/// Parts that act in a visit of each slab. Few slabs with one interaction take no memory for their list.
 pub(super) type SlabParts<'a> = SmallVec<[SmallVec<[SlabPart<'a>; 1]>; 8]>;
 
 /// Fills the list, which stays empty where nothing acts on slabs.
@@ -345,7 +345,7 @@ pub(super) fn on_slabs<'a>(
     }
 }
 
-/// What acts on one slab after the other.
+/// Interactions that act on one slab after the other.
 pub(super) fn in_turn<'p, 'a>(
     parts: &'p mut SlabParts<'a>,
 ) -> impl Iterator<Item = &'p mut [SlabPart<'a>]> + Send {

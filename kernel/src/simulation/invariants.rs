@@ -42,7 +42,7 @@ impl Cycle {
         &self.state.invariants
     }
 
-    /// Whether energy and momentum are looked at after a step.
+    /// True if energy and momentum are checked after a step.
     fn looks_after(step: u64) -> bool {
         let early = (FIRST..EVERY).contains(&step) && step.is_power_of_two();
         early || step.is_multiple_of(EVERY)
@@ -87,7 +87,7 @@ impl Cycle {
         }
     }
 
-    /// Whether all that does work on the bodies is known here.
+    /// True if all work on the bodies is known here.
     pub(super) fn knows_all_work(&self) -> bool {
         self.model.body_force.is_none() && !self.model.has_own
     }
@@ -200,8 +200,8 @@ impl Cycle {
         (sum, scale)
     }
 
-    /// What the momentum of all fields that move freely changes by in this step, and the sum of the magnitudes of the
-    /// changes \[kg m/s\].
+    /// Change of the momentum of all fields that move freely in this step, and the sum of the magnitudes of the changes \[kg
+    /// m/s\].
     fn change_at_nodes(&self) -> (Vector, f64) {
         let driven = |body: usize| self.model.bodies[body].motion.is_some();
         let (mut sum, mut scale) = ([0.0; 3], 0.0);
@@ -215,7 +215,7 @@ impl Cycle {
         (sum, scale)
     }
 
-    /// Whether a particle is so near a boundary plane with a condition that its mirror image takes part in the mapping.
+    /// True if a particle is so near a boundary plane with a condition that its mirror image takes part in the mapping.
     fn near_a_plane(&self) -> bool {
         let settings = &self.model.settings;
         let mesh = &settings.mesh;

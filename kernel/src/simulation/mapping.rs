@@ -63,7 +63,7 @@ pub(super) fn particle_to_grid<'a>(
 struct P2gInstance {
     carry: Carry,
     call: P2gFn,
-    /// Whether it leaves nodes in two parts.
+    /// True if it leaves nodes in two parts.
     leaves_parts: bool,
 }
 
@@ -73,26 +73,26 @@ pub(super) struct ParticleToGrid<'a> {
     pub(super) sets: &'a [ParticleSet],
     /// Their bodies.
     pub(super) bodies: &'a [BodyRun],
-    /// Whether each of them has a field of its own.
+    /// True for each of them that has a field of its own.
     own_field: &'a [bool],
     lanes: Selected,
     /// Nodes per axis of the stencil.
     pub(super) stencil: usize,
     /// Weighting functions.
     pub(super) family: Family,
-    /// Whether momentum has an affine part.
+    /// True if momentum has an affine part.
     affine: bool,
     /// Radius of the lower edge of the mesh \[m\], where the scene is axisymmetric.
     first_radius: Option<f64>,
     /// True if the force of the hoop stress lies in a lane of its own.
     has_hoop: bool,
-    /// Of bodies that move freely.
+    /// Mapping of bodies that move freely.
     free: P2gInstance,
-    /// Of bodies with a field of their own whose motion is prescribed: their mass alone counts.
+    /// Mapping of bodies with a field of their own whose motion is prescribed: their mass alone counts.
     driven: P2gInstance,
-    /// Of the mass gradient of some particles.
+    /// Mapping of the mass gradient of some particles.
     gradient: P2gInstance,
-    /// What changes the force of the mean stress of bodies that move freely, where its strain is a mean over cells.
+    /// Correction of the force by the mean stress of bodies that move freely, where their strain is a mean over cells.
     mean_stress: Option<[P2gInstance; 2]>,
 }
 
@@ -260,7 +260,7 @@ impl Deref for NodeWeights {
     }
 }
 
-/// Those of the centre of a particle, of nodes that it reaches by more than round-off.
+/// Weights of the centre of a particle, of nodes that it reaches by more than round-off.
 #[must_use]
 pub fn node_weights(
     set: &ParticleSet,

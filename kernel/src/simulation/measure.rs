@@ -147,7 +147,7 @@ impl Cycle {
         Some(sum)
     }
 
-    /// What a law says of a particle.
+    /// Value of a particle by its law.
     fn of_particle<T>(&self, index: usize, p: usize, ask: impl FnOnce(&Particle<'_>) -> T) -> T {
         self.stored(index, p).ask(ask)
     }
@@ -288,7 +288,7 @@ pub(crate) struct ByIdentifier {
 }
 
 impl ByIdentifier {
-    /// Those of a set. Identifiers of a set are consecutive but for removed particles, so a table of places takes the time of
+    /// Places of the particles of a set by identifier. Identifiers of a set are consecutive but for removed particles, so a table of places takes the time of
     /// one pass.
     fn of(&mut self, set: &ParticleSet) -> &[u32] {
         &self.fill(set).places

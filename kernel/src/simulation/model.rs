@@ -14,7 +14,7 @@ use std::sync::Arc;
 pub struct Model {
     /// Mesh, method, loads and boundary conditions.
     pub settings: CycleSettings,
-    /// What the simulation needs.
+    /// Plan of the simulation.
     pub plan: Plan,
     /// Lanes in use.
     pub lanes: Selected,
@@ -22,7 +22,7 @@ pub struct Model {
     pub bodies: Vec<BodyRun>,
     /// Conditions at the nodes; those of the user come last. See [`conditions`](super::conditions).
     pub conditions: Vec<Arc<dyn Condition>>,
-    /// Those of the user alone.
+    /// Conditions of the user alone.
     pub own_conditions: Vec<Arc<dyn Condition>>,
     /// True if the user has added conditions or interactions.
     pub has_own: bool,

@@ -51,7 +51,7 @@ pub(super) struct SlabSums {
 }
 
 impl SlabSums {
-    /// Of so many planes, all zero.
+    /// Begins with so many planes, all zero.
     fn begin(&mut self, planes: usize) {
         self.planes.clear();
         self.planes.resize(planes, PlaneSums::default());
@@ -285,7 +285,7 @@ impl StepContext<'_> {
         self
     }
 
-    /// What enters the acceleration beside stress.
+    /// Terms of the acceleration beside stress.
     fn acceleration(&self) -> Acceleration {
         Acceleration {
             gravity: self.nodal.gravity,

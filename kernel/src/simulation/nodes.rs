@@ -105,7 +105,7 @@ impl Cycle {
         found
     }
 
-    /// Whether a node lies behind a plane with a condition.
+    /// True if a node lies behind a plane with a condition.
     pub(super) fn is_ghost(&self, at: [usize; 3]) -> bool {
         let shape = &self.work.grid.shape;
         (0..shape.axes).any(|axis| {

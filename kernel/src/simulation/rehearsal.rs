@@ -56,7 +56,7 @@ impl Part {
     }
 }
 
-/// What a step changes and a rehearsal gives back: the state, and what can be asked of the last step beside it.
+/// Snapshot that a rehearsal restores: the state that a step changes, and the results of the last step beside it.
 struct StepSnapshot {
     saved: SavedState,
     fields: Vec<(Owner, ActiveRows)>,
@@ -128,7 +128,7 @@ impl Rehearsal<'_> {
         Ok(())
     }
 
-    /// Does the part once.
+    /// Plays the part once.
     ///
     /// # Errors
     /// As a step.

@@ -73,7 +73,7 @@ impl Cycle {
     }
 }
 
-/// What its own force accelerates a particle of a set by, at most \[m/s²\].
+/// Largest acceleration of a particle of a set by its own force \[m/s²\].
 fn largest_acceleration(set: &ParticleSet) -> f64 {
     let Some(first) = set.layout.force else {
         return 0.0;

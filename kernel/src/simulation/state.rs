@@ -44,7 +44,7 @@ impl Cycle {
         Ok(())
     }
 
-    /// Whether a state can be one of this scene.
+    /// Checks that a state can be one of this scene.
     fn fits(&self, saved: &SavedState) -> Result<(), RestoreError> {
         let (own, was) = (&self.state, &saved.state);
         same("bodies", own.sets.len(), was.sets.len())?;

@@ -63,7 +63,7 @@ impl Cycle {
         Arc::clone(&self.work.grid.team)
     }
 
-    /// Has a thread of the team do `work`; the caller does it where there is one slab, and so nothing to share.
+    /// Gives `work` to a thread of the team; the caller does it where there is one slab, and so nothing to share.
     pub(super) fn led<R: Send>(&mut self, work: impl FnOnce(&mut Self) -> R + Send) -> R {
         if self.work.grid.slabs.len() == 1 {
             return work(self);

@@ -16,7 +16,7 @@ use std::sync::Mutex;
 /// The work state of a step: the grid, the interactions between its fields, and lists that keep their memory.
 pub(crate) struct WorkState {
     pub(crate) grid: Grid,
-    /// Whether each body has a velocity field of its own, as of the last sort.
+    /// True for each body that has a velocity field of its own, as of the last sort.
     pub(crate) own_field: Vec<bool>,
     /// Interactions between velocity fields; those of the user come last. Their arrays are saved with the state.
     pub(crate) interactions: Interactions,
@@ -26,13 +26,13 @@ pub(crate) struct WorkState {
     pub(crate) sums: PlaneSums,
     /// Largest acceleration of a particle by box loads \[m/s²\].
     pub(crate) load_acceleration: f64,
-    /// Why a step left particles where no step can go on.
+    /// Error of a step that left particles where no step can go on.
     pub(crate) failed: Option<StepError>,
-    /// What acted in the last step: its lists are filled again in the next.
+    /// Conditions that acted in the last step: the lists are filled again in the next.
     pub(crate) nodal: NodalConditions,
-    /// What the last visit of each slab gave.
+    /// Result of the last visit of each slab.
     pub(crate) solved: Vec<SlabSolution>,
-    /// What the last pass over each share of the particles gave.
+    /// Result of the last pass over each share of the particles.
     pub(crate) gathered: Vec<G2pShare>,
     /// Body forces on the particles of one body per mass, while they are found \[m/s²\].
     pub(crate) forces: Vec<[f64; 3]>,
@@ -82,6 +82,6 @@ pub(crate) struct G2pShare {
     /// Index of the body.
     pub(super) body: usize,
     pub(super) found: ParticleMaxima,
-    /// By how much tr L exceeds its mean over cells, where it is that mean.
+    /// Excess of tr L over its mean over cells, where it is that mean.
     pub(super) excess: Vec<f64>,
 }

@@ -26,7 +26,7 @@ impl Cells {
         }
     }
 
-    /// Those in which the particles of a set lie: what a sort costs does not depend on how large the mesh is around them.
+    /// Cells in which the particles of a set lie: the cost of a sort does not depend on the size of the mesh around them.
     pub(super) fn in_use(
         set: &ParticleSet,
         shape: &GridShape,
@@ -112,16 +112,16 @@ impl Kernel for Extent<'_> {
     }
 }
 
-/// How base cells of a box are numbered, slow axis first: what is the same for all particles.
+/// Numbering of base cells of a box, slow axis first: the part that is the same for all particles.
 pub(crate) struct Numbering {
     axes: usize,
     /// Cells per metre along each axis.
     per_metre: [f64; 3],
     /// The first cell along each axis, as a node less one.
     first: [f64; 3],
-    /// What one cell along each axis adds to the number.
+    /// Number that one cell along each axis adds.
     strides: [usize; 3],
-    /// Of the base cell, as in [`Family::sort_offset`](crate::weights::Family::sort_offset).
+    /// Offset of the base cell, as in [`Family::sort_offset`](crate::weights::Family::sort_offset).
     offset: f64,
 }
 

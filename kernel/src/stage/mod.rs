@@ -16,7 +16,7 @@ use crate::weights::{
     weigh_by_radius,
 };
 
-/// How particles of one set see the grid.
+/// View of the grid by the particles of one set.
 #[derive(Clone, Debug)]
 pub struct Mapping {
     /// 1/h per axis \[1/m\].
@@ -118,7 +118,7 @@ fn block_at<L: Lanes, C: AsRef<[f64]>, const D: usize, const N: usize>(
     block
 }
 
-/// Whether the next two blocks from particle `at` have one base node each. Then a block before them ends where they begin: they
+/// True if the next two blocks from particle `at` have one base node each. Then a block before them ends where they begin: they
 /// stay whole, and with them all that follows in a body in order, which costs a fifth less than blocks of two base nodes.
 #[inline(always)]
 fn whole_from<L: Lanes, C: AsRef<[f64]>, const D: usize, const N: usize>(
@@ -136,7 +136,7 @@ fn whole_from<L: Lanes, C: AsRef<[f64]>, const D: usize, const N: usize>(
 }
 
 impl<L: Lanes> Block<L> {
-    /// Whether a particle lies on its base node along some axis, to the last bit.
+    /// True if a particle lies on its base node along some axis, to the last bit.
     #[inline(always)]
     fn on_a_node<const D: usize>(&self) -> bool {
         let zero = L::splat(0.0);

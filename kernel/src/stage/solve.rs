@@ -70,7 +70,7 @@ pub struct Planes<'a> {
     pub nodes: &'a mut [Line],
 }
 
-/// What enters the acceleration of all nodes beside the force on each.
+/// Terms of the acceleration of all nodes beside the force on each.
 #[derive(Clone, Copy, Debug)]
 pub struct Acceleration {
     /// Acceleration of gravity \[m/s²\].
@@ -224,7 +224,7 @@ impl Planes<'_> {
     /// Adds the nodal loads to the force.
     ///
     /// # Errors
-    /// Where a loaded node has no mass.
+    /// If a loaded node has no mass.
     pub(crate) fn load(&mut self, loads: &[NodeForce]) -> Result<(), EmptyNode> {
         let first = self.first();
         let (shape, rows) = (self.shape, self.rows);
@@ -439,7 +439,7 @@ impl Planes<'_> {
     }
 }
 
-/// Whether storage indices are those of a ghost of a wall, which mirrors what lies inside.
+/// True if storage indices are those of a ghost of a wall, which mirrors the inside.
 #[must_use]
 #[inline]
 pub fn is_ghost(shape: &GridShape, walls: &[Wall], at: [usize; 3]) -> bool {

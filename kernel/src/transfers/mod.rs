@@ -8,7 +8,7 @@ use crate::stage::g2p::Affine;
 /// A kind of transfer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TransferType {
-    /// What a scene chooses it by.
+    /// Kind by which a scene chooses it.
     pub transfer: TransferKind,
     /// Its word in scene files, which is its name in tables too.
     pub word: &'static str,

@@ -8,7 +8,7 @@ use crate::weights::Family;
 /// A kind of weighting function.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WeightingType {
-    /// What a scene chooses it by.
+    /// Weighting by which a scene chooses it.
     pub weighting: Weighting,
     /// Its word in scene files.
     pub word: &'static str,
@@ -16,7 +16,7 @@ pub struct WeightingType {
     pub update: Option<&'static str>,
     /// Its name in tables.
     pub name: &'static str,
-    /// What the plan says of it.
+    /// Words of the plan.
     pub plan: &'static str,
     /// Functions that it takes.
     pub family: Family,
@@ -51,7 +51,7 @@ impl Weighting {
         found.expect("every weighting function is in the list")
     }
 
-    /// How particle domains follow the deformation, where they do.
+    /// Domain update, for families whose particle domains follow the deformation.
     #[must_use]
     pub fn domain_update(self) -> Option<DomainUpdate> {
         match self {

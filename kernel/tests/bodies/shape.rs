@@ -60,7 +60,7 @@ fn what_rolls_has_a_radius_and_all_have_a_size() {
     );
 }
 
-/// What is asked for before a body is filled is about what it then gets: the volume over that of a sub-cell.
+/// The estimate before a body is filled is near its number of particles: the volume over that of a sub-cell.
 #[test]
 fn the_particles_of_a_shape_are_known_before_it_is_filled() {
     let (two, three) = (Setting::plane(0.1, 20, 3), Setting::space(0.1, 20, 2));

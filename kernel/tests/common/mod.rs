@@ -82,7 +82,7 @@ pub fn all_lanes() -> Vec<Selected> {
     here.chain([Selected::plain()]).collect()
 }
 
-/// Whether a light node of a linear function can throw particles about, whatever the time step.
+/// True if a light node of a linear function can throw particles about, whatever the time step.
 pub fn light_nodes_act(scene: &Scene) -> bool {
     let acts = scene.scheme == StressScheme::Usl || scene.transfer.kind != TransferKind::Flip;
     scene.weighting == Weighting::Linear && acts
@@ -245,7 +245,7 @@ pub fn rough(dimension: Dimension, speed: f64, stress: f64, seed: u64) -> Initia
     rough_drift(dimension, [0.0; 3], speed, stress, seed)
 }
 
-/// As [`rough`] on top of a uniform velocity.
+/// Drift of [`rough`] on top of a uniform velocity.
 pub fn rough_drift(
     dimension: Dimension,
     drift: Vector,
@@ -337,7 +337,7 @@ pub fn first_error(
     panic!("no error in {most} steps");
 }
 
-/// Has the phases of the steps that follow added to a list.
+/// Adds the phases of the steps that follow to a list.
 pub fn observe(simulation: &mut Simulation) -> Arc<Mutex<Vec<Phase>>> {
     let phases = Arc::new(Mutex::new(vec![]));
     let list = Arc::clone(&phases);

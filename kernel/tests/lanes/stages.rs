@@ -52,7 +52,7 @@ fn shape(axes: usize) -> GridShape {
     GridShape::new(&mesh, dimension)
 }
 
-/// Where particles are.
+/// Places of the particles.
 #[derive(Clone, Copy, Debug)]
 enum Order {
     /// Anywhere, sorted.
@@ -198,7 +198,7 @@ fn nodes_after(
     nodes.lines().to_vec()
 }
 
-/// How many groups of at most eight particles that follow each other have one base node.
+/// Number of groups of at most eight particles that follow each other and have one base node.
 fn groups_of(set: &ParticleSet, stencil: usize) -> usize {
     let base = |p: usize| -> Vec<f64> {
         set.columns[Layout::POSITION..Layout::POSITION + set.layout.axes]
@@ -343,7 +343,7 @@ fn gathered(
     (set.columns, found)
 }
 
-/// What a pass does: kick, strain, gradients of the upper lanes.
+/// Parts of a pass: kick, strain, gradients of the upper lanes.
 type Pass = [bool; 3];
 
 fn check_particles(

@@ -1,4 +1,4 @@
-//! Where the work of a strain goes: stored, plastic, algorithmic.
+//! Work of a strain by its destination: stored, plastic, algorithmic.
 
 use crate::laws::returned::laws;
 use crate::laws::support::{DENSITY, first_order, numbers, shear, strain};
@@ -71,7 +71,7 @@ fn algorithmic_work_falls_with_the_step() {
     first_order(&found(0.0).map(f64::sqrt));
 }
 
-/// What turns does no work, and what does not yield has no such channel.
+/// A turning body does no work, and a body that does not yield has no such channel.
 #[test]
 fn what_does_not_yield_has_nothing_but_what_it_stores() {
     let mut next = numbers(9);

@@ -249,7 +249,7 @@ fn work_is_stored_or_dissipated() {
     }
 }
 
-/// What has parted is no faster than at rest, carries shear by its share of fluid alone, and keeps its books.
+/// A parted fluid is no faster than at rest, carries shear by its share of fluid alone, and keeps its energy balance.
 #[test]
 fn a_fluid_that_has_parted_is_no_faster_than_at_rest() {
     let bingham = Bingham::new(BULK, VISCOSITY, LIMIT, SHEAR).with_state(state(7.0, false));

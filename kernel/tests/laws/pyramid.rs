@@ -74,8 +74,8 @@ fn planes(
     all
 }
 
-/// How far a vector is from the cone of others: the least residual with factors that are not negative. A point of a cone
-/// in space needs at most three of its edges.
+/// Distance of a vector from the cone of others: the least residual with factors that are not negative. A point of a cone in
+/// space needs at most three of its edges.
 fn outside_of_cone(vector: &Vector3<f64>, edges: &[Vector3<f64>]) -> f64 {
     let mut least = vector.norm();
     let n = edges.len();

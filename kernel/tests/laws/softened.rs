@@ -41,7 +41,7 @@ fn cohesion_falls_along_a_line() {
     assert!(errors[3] < 1e-3, "{errors:?}");
 }
 
-/// What is left after much strain is the residual strength, by every way of softening.
+/// The residual strength remains after much strain, with every kind of softening.
 #[test]
 fn residual_strength_is_left() {
     let residual = Residual {

@@ -56,7 +56,7 @@ pub(crate) fn numbers(seed: u64) -> impl FnMut() -> f64 {
     }
 }
 
-/// Whether two numbers agree to a share of a scale.
+/// True if two numbers agree to a share of a scale.
 pub(crate) fn close(found: f64, exact: f64, share: f64, scale: f64) {
     assert!(
         (found - exact).abs() <= share * scale,

@@ -59,7 +59,7 @@ fn free_fall_loses_nothing() {
     }
 }
 
-/// What damping takes of a body that moves as a whole is all that is missing.
+/// Damping takes all the energy that a body that moves as a whole loses.
 #[test]
 fn damping_is_known_to_round_off() {
     for scheme in SCHEMES {
@@ -253,7 +253,7 @@ fn friction_is_the_force_times_the_way() {
     assert!(energy.remainder.abs() < 0.1 * energy.friction, "{energy:?}");
 }
 
-/// What leaves the mesh takes its energy along.
+/// Particles that leave the mesh take their energy along.
 #[test]
 fn removed_particles_take_their_energy_along() {
     let mut scene = block(Dimension::Two);
@@ -274,7 +274,7 @@ fn removed_particles_take_their_energy_along() {
     assert!(energy.remainder.abs() < 1e-6 * start, "{energy:?}");
 }
 
-/// Who asks for the balance after each step changes no bit of the run, nor of what can be asked of its last step.
+/// A program that reads the balance after each step changes no bit of the run, nor of the results of its last step.
 #[test]
 fn to_ask_changes_nothing() {
     let mut colliding = collision(0.3);

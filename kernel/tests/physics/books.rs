@@ -40,7 +40,7 @@ fn the_work_of_gravity_over_a_moving_base() {
     }
 }
 
-/// What mortar contact stores at the start is in the balance once: a body that begins to be pushed has lost nothing.
+/// The energy that mortar contact stores at the start is in the balance once: a body that begins to be pushed has lost nothing.
 #[test]
 fn contact_that_is_there_at_the_start_is_no_dissipation() {
     for scheme in [StressScheme::Usl, StressScheme::Musl] {
@@ -92,7 +92,7 @@ fn largest_stress(simulation: &Simulation) -> f64 {
         .fold(0.0, |most, s| most.max(s.abs()))
 }
 
-/// What falls as the base does is not strained by it, whatever the scheme maps a second time.
+/// A body that falls as the base does is not strained by it, whatever the scheme maps a second time.
 #[test]
 fn a_base_that_falls_with_the_body_strains_nothing() {
     for scheme in SCHEMES {

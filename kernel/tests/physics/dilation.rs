@@ -172,7 +172,7 @@ fn momentum_stays_and_stress_loses_the_work_of_its_forces() {
     }
 }
 
-/// What it asks for is in the plan; without it a material that would lock is warned of, with the ratio that the scene gave.
+/// Its request is in the plan; without it a material that would lock is warned of, with the ratio that the scene gave.
 #[test]
 fn the_plan_warns_of_locking() {
     let warnings = |poisson: f64, volumetric_strain| {

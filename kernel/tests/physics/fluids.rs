@@ -73,7 +73,7 @@ fn water_at_rest_stays_there() {
     }
 }
 
-/// Whether a basin has the mass and the pressure of its depth, and stays at rest but for a share of a fall.
+/// Checks that a basin has the mass and the pressure of its depth, and stays at rest but for a share of a fall.
 fn stays(scene: &Scene, limit: f64) {
     let axes = scene.dimension.axes();
     let words = format!(

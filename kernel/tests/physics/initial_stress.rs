@@ -12,7 +12,7 @@ const GRAVITY: f64 = 10.0;
 const CELLS: usize = 4;
 const HIGH: usize = 3;
 const CELL: f64 = 0.1;
-/// Where the ground ends [m].
+/// Upper end of the ground [m].
 const LEVEL: f64 = HIGH as f64 * CELL;
 
 fn at_rest(ratio: f64, surcharge: f64) -> InitialStress {
@@ -39,7 +39,7 @@ fn ground(dimension: Dimension) -> Scene {
     scene
 }
 
-/// What is wrong with a scene.
+/// Fault of a scene.
 fn wrong(scene: &Scene) -> String {
     scene.check().expect_err("it is not sound").to_string()
 }

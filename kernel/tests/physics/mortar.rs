@@ -169,8 +169,7 @@ fn a_contact_that_never_meets_changes_no_bit() {
     assert_eq!(run(true), run(false));
 }
 
-/// How far the vertices are from where the mean turn of the particles would have brought them, in the mean, after
-/// about one turn \[m\].
+/// Mean distance of the vertices from where the mean turn of the particles would have brought them, after about one turn \[m\].
 fn drift(follow: FollowMode, transfer: Transfer) -> f64 {
     let mut scene = empty(Dimension::Two, [14, 14, 1], 0.1);
     let center = [0.7, 0.7, 0.0];

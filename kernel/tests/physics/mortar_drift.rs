@@ -53,7 +53,7 @@ fn resting(follow: FollowMode, rise: f64) -> Scene {
     scene
 }
 
-/// Of a disc that has settled: force over weight, peak over that of Hertz, distance from Hertz in L2, drift in cells.
+/// Numbers of a disc that has settled: force over weight, peak over that of Hertz, distance from Hertz in L2, drift in cells.
 fn settled(follow: FollowMode, rise: f64) -> [f64; 4] {
     let mut simulation = simulation(&resting(follow, rise));
     let end = 2.5;
@@ -118,7 +118,7 @@ fn staying_on_the_body_does_no_work() {
     assert!(work < 1e-6 * energy, "{work} {energy}");
 }
 
-/// What goes with its body has no drift, however far; what follows velocities alone is left behind by a turn.
+/// A vertex that goes with its body has no drift, however far; one that follows velocities alone is left behind by a turn.
 #[test]
 fn a_motion_without_strain_has_no_drift() {
     for follow in [

@@ -101,7 +101,7 @@ fn farthest_off(scene: &Scene, h: f64) -> f64 {
     off.fold(0.0, f64::max)
 }
 
-/// Those that go by nodes alone. Ties to particles give the rows 0.86 and 1.14 of the pressure at 0.36 of a cell.
+/// Modes that go by nodes alone. Ties to particles give the rows 0.86 and 1.14 of the pressure at 0.36 of a cell.
 const ALL: [FollowMode; 3] = [FollowMode::Velocity, FollowMode::Spin, FollowMode::Gradient];
 
 #[test]

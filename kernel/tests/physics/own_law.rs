@@ -9,7 +9,7 @@ use proctor_scene::{Dimension, Scene, StressScheme};
 
 const ELASTIC: LinearElastic = LinearElastic::new(1.0e4, 0.3);
 
-/// What the law does with its variables.
+/// Use of its variables by the law.
 #[derive(Debug, PartialEq)]
 enum Habit {
     /// Adds up time and the volume strain.

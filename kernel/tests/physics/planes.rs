@@ -69,7 +69,7 @@ fn a_layer_swings_in_shear_alone() {
     }
 }
 
-/// What lies beyond a plane repeats what lies inside, and is not counted again.
+/// The region beyond a plane mirrors the inside, and is not counted again.
 #[test]
 fn nodes_have_the_kinetic_energy_of_the_body() {
     const SPEED: f64 = 0.5;

@@ -44,7 +44,7 @@ fn spinning(weighting: Weighting, scheme: StressScheme, transfer: Transfer) -> S
 
 const CPGIMP: Weighting = Weighting::ContiguousGimp(DomainUpdate::LeftStretch);
 
-/// What a disc has gained in so many turns, as a share of the kinetic energy that it began with.
+/// Energy that a disc has gained in so many turns, as a share of the kinetic energy that it began with.
 fn gained(weighting: Weighting, scheme: StressScheme, transfer: Transfer, turns: f64) -> f64 {
     let mut simulation = spinning(weighting, scheme, transfer);
     let before = simulation.kinetic_energy();

@@ -62,7 +62,7 @@ fn constant(velocity: [f64; 3]) -> History {
     }
 }
 
-/// What is the case already may be said again between two stages: the contacts go on as they were.
+/// A stage may repeat the present settings: the contacts go on as they were.
 #[test]
 fn a_motion_that_a_body_has_already_changes_no_bit() {
     for held in [false, true] {

@@ -144,7 +144,7 @@ fn a_step_that_strains_too_far_is_told_at_once() {
     );
 }
 
-/// Has all nodes move faster and faster, and says by how much, or that they always did.
+/// Acceleration of all nodes, given as a rate, or as constant.
 struct NodeAcceleration {
     says_so: bool,
 }

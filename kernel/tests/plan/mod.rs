@@ -143,9 +143,8 @@ fn fields_that_are_kept_are_there_and_filled() {
     }
 }
 
-/// Whether a stage is called is seen by what it would change: every stage of the plan, where it is kept, makes the
-/// same start end otherwise, and [`nothing`] shows that it does not where it is left
-/// out.
+/// A stage that is called changes the result: every stage of the plan, where it is kept, makes the same start end otherwise,
+/// and [`nothing`] shows that it does not where it is left out.
 #[test]
 fn stages_that_are_kept_act() {
     type Choose = fn(&mut Scene);

@@ -1,7 +1,7 @@
 //! Features that are given and do nothing: the plan lists them, and they change no bit.
 //!
-//! That a feature is really given is seen three ways: the scene differs from the one without it, the plan says what
-//! becomes of it, and the same feature with other numbers, where it has any, changes the result.
+//! Three signs show that a feature is really given: the scene differs from the one without it, the plan has an entry for it,
+//! and the same feature with other numbers, where it has any, changes the result.
 
 use crate::common::{
     APIC, DIMENSIONS, FLIP, NEO_HOOKEAN, SCHEMES, WEIGHTINGS, body, calm, cuboid, empty, material,
@@ -24,13 +24,13 @@ type Give = fn(&mut Scene, &mut Options);
 /// A feature, and what the plan says of it.
 #[derive(Clone, Copy)]
 struct Feature {
-    /// For messages.
+    /// Name for messages.
     name: &'static str,
     /// Name of its entry in the plan.
     entry: &'static str,
-    /// Whether the plan keeps it. What it leaves out also leaves all other decisions as they are.
+    /// True if the plan keeps it. What it leaves out also leaves all other decisions as they are.
     kept: bool,
-    /// Whether it adds columns to the particles, so that the hash, which runs over all columns, cannot be the same.
+    /// True if it adds columns to the particles, so that the hash, which runs over all columns, cannot be the same.
     columns: bool,
     /// Gives it so that it does nothing.
     idle: Give,
@@ -234,7 +234,7 @@ fn surface(scene: &mut Scene) {
     }];
 }
 
-/// What scenes of both dimensions can have.
+/// Features that scenes of both dimensions can have.
 const FEATURES: [Feature; 23] = [
     left_out(
         "local damping of zero",
@@ -393,8 +393,8 @@ const FEATURES: [Feature; 23] = [
     ),
 ];
 
-/// Whether the kernel has a feature for a scene and nothing else there asks for the same: mortar contact has no USF, and
-/// rigid surfaces are of space.
+/// True if the kernel has a feature for a scene and nothing else there asks for the same: mortar contact has no USF, and rigid
+/// surfaces are of space.
 fn has(without: &Simulation, feature: &Feature) -> bool {
     let scene = without.scene();
     let mortar = feature.entry.starts_with("mortar") && scene.scheme == StressScheme::Usf;

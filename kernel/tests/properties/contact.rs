@@ -66,8 +66,8 @@ fn node() -> impl Strategy<Value = (Vec<Member>, Vec<FieldTouch>)> {
 /// of the independence from what is left of the approach where a body has three touches, leave exp(-33) of it here.
 const WEDGED: f64 = 0.05;
 
-/// How far the normals of touches are from hanging on each other, by the masses between which they act: the smallest eigenvalue
-/// of their response to impulses along them, that of each to its own being 1.
+/// Independence of the normals of touches, by the masses between which they act: the smallest eigenvalue of their response to
+/// impulses along them, that of each to its own being 1.
 fn independence(members: &[Member], touches: &[FieldTouch]) -> f64 {
     let response = |s: &FieldTouch, t: &FieldTouch| {
         let of = |body: usize| {

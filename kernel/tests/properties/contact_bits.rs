@@ -9,7 +9,7 @@ use proctor_scene::{StressScheme, Vector};
 /// Numbers of threads; a machine need not have so many cores.
 const THREADS: [usize; 5] = [1, 2, 3, 4, 8];
 
-/// What contact leaves: the hash of the particles, forces on the bodies, and vertices of their boundaries as bits.
+/// Result of contact: the hash of the particles, forces on the bodies, and vertices of their boundaries as bits.
 fn result(touching: &Touching, threads: usize, lanes: LaneChoice) -> (u64, Vec<[u64; 3]>) {
     let all = Options {
         threads: Some(threads),

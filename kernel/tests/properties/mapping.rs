@@ -16,8 +16,8 @@ use proptest::prelude::*;
 const CELLS: [usize; 3] = [6, 5, 4];
 const H: f64 = 0.1;
 
-/// What one particle of the test is: position in shares of the mesh, mass, velocity, stress, affine rate and
-/// force from one list of numbers in [-1, 1].
+/// One particle of the test: position in shares of the mesh, mass, velocity, stress, affine rate and force from one list of
+/// numbers in [-1, 1].
 type Draw = ([f64; 3], f64, [f64; 27]);
 
 fn particles_of(axes: usize, draws: &[Draw], full: bool, l: Option<f64>) -> ParticleSet {

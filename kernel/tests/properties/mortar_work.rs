@@ -86,8 +86,8 @@ fn pressed(
     scene
 }
 
-/// Of one body in the first step: the work of its contact forces on vertices over the time step \[W\], that on the nodes, and
-/// the moments of both about the origin \[N m\].
+/// Energies of one body in the first step: the work of its contact forces on vertices over the time step \[W\], that on the
+/// nodes, and the moments of both about the origin \[N m\].
 struct EnergyLedger {
     on_vertices: f64,
     on_nodes: f64,

@@ -44,7 +44,7 @@ fn a_state_taken_up_goes_on_with_the_same_bits() {
     }
 }
 
-/// What is spoilt, and how; `false` where the scene has no such thing.
+/// Damage to a saved state: its name and the change; `false` where the scene has no such thing.
 type Spoil = (&'static str, fn(&mut SavedState) -> bool);
 
 const SPOILS: [Spoil; 13] = [

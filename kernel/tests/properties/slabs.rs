@@ -7,10 +7,10 @@ use proctor_scene::prelude::*;
 use std::ops::Range;
 use std::sync::{Arc, Mutex};
 
-/// What a visit saw: the slabs, and their particles.
+/// Record of a visit: the slabs, and their particles.
 type SlabLog = Arc<Mutex<Vec<Range<usize>>>>;
 
-/// Does nothing but to look at the slabs.
+/// Interaction that only looks at the slabs.
 #[derive(Clone)]
 struct Looks(SlabLog);
 

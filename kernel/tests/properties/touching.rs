@@ -22,12 +22,12 @@ pub struct Touching {
     pub name: String,
     pub scene: Scene,
     steps: usize,
-    /// Whether contact acts in the last step.
+    /// True if contact acts in the last step.
     acts: fn(&Simulation) -> bool,
 }
 
 impl Touching {
-    /// Does the steps; contact must have acted in one of them.
+    /// Runs the steps; contact must have acted in one of them.
     pub fn run(&self, simulation: &mut Simulation) {
         let mut acted = false;
         for _ in 0..self.steps {

@@ -22,11 +22,11 @@ const PLANE: f64 = 0.237;
 const LOWER: [f64; 2] = [0.2, 1.2];
 const UPPER: [f64; 2] = [0.4, 0.9];
 const HEIGHT: f64 = 0.3;
-/// From when to when accelerations are taken \[s\].
+/// Interval in which accelerations are taken \[s\].
 const FROM: f64 = 0.1;
 const TO: f64 = 0.4;
 
-/// What is asked of the blocks.
+/// Choices of the blocks.
 #[derive(Clone, Debug)]
 struct Stack {
     scheme: StressScheme,

@@ -371,7 +371,7 @@ fn the_plan_keeps_it_or_says_why_not() {
     assert!(!without.kept);
 }
 
-/// What a surface gave so far is no more after a rehearsal than before it.
+/// The work of a surface is the same after a rehearsal as before it.
 #[test]
 fn a_rehearsal_leaves_the_impulses_of_surfaces() {
     for scheme in SCHEMES {

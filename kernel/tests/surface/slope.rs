@@ -12,7 +12,7 @@ pub const GRAVITY: f64 = 10.0;
 /// Cell edge \[m\]; the block is four cells long, two high and two wide.
 pub const H: f64 = 0.125;
 
-/// What is asked of the block.
+/// Choices of the block.
 #[derive(Clone, Copy, Debug)]
 pub struct Slope {
     pub scheme: StressScheme,

@@ -41,9 +41,9 @@ impl Curve {
 pub struct CurvePoint {
     /// The coordinate.
     pub at: f64,
-    /// As computed.
+    /// Value as computed.
     pub computed: f64,
-    /// As it should be. A curve that has it nowhere is shown alone.
+    /// Value as it should be. A curve that has it nowhere is shown alone.
     pub exact: f64,
 }
 
@@ -66,7 +66,7 @@ impl CurvePoint {
     }
 }
 
-/// Where bodies are at one time of a run in the plane.
+/// Places of the bodies at one time of a run in the plane.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawing {
     /// Title: the bodies, and the time.

@@ -143,9 +143,9 @@ enum Number {
 enum Bound {
     /// One of each size.
     Of([f64; 2]),
-    /// By the rung, of which it is a function.
+    /// A function of the rung.
     By(fn(&Rung) -> f64),
-    /// By the width over which dispersion of second order spreads a front on its way along a length.
+    /// The width over which dispersion of second order spreads a front on its way along a length.
     Spread { length: f64, share: f64, power: f64 },
 }
 
@@ -272,35 +272,36 @@ impl GateRule {
         self
     }
 
-    /// On certain rungs alone, or on the variants of such.
+    /// Restricts the gate to certain rungs, or to the variants of such.
     #[must_use]
     pub const fn on(mut self, rungs: fn(&Rung) -> bool) -> Self {
         self.on = rungs;
         self
     }
 
-    /// In the full ladder alone.
+    /// Restricts the gate to the full ladder.
     #[must_use]
     pub const fn full_alone(mut self) -> Self {
         self.size = Some(Size::Full);
         self
     }
 
-    /// In the short ladder alone.
+    /// Restricts the gate to the short ladder.
     #[must_use]
     pub const fn short_alone(mut self) -> Self {
         self.size = Some(Size::Quick);
         self
     }
 
-    /// By a name of its own, in which `{quantity}` stands for that of the quantity and `{label}` for that of the rung.
+    /// Gives the gate a name of its own, in which `{quantity}` stands for that of the quantity and `{label}` for that of the
+    /// rung.
     #[must_use]
     pub const fn named(mut self, name: &'static str) -> Self {
         self.name = Some(name);
         self
     }
 
-    /// By a name that begins with the label of the finest rung.
+    /// Gives the gate a name that begins with the label of the finest rung.
     #[must_use]
     pub const fn by_rung(mut self) -> Self {
         self.by_rung = true;

@@ -132,7 +132,7 @@ impl Case {
     /// The scene of a rung with settings.
     ///
     /// # Errors
-    /// Why there is none, where it takes something that is not sound.
+    /// If it needs a value that is not sound.
     pub fn scene_with(&self, rung: &Rung, settings: &Settings) -> Result<Scene, Failure> {
         match self.scene {
             Build::Always(scene) => Ok(scene(rung, settings)),

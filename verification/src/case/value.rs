@@ -22,7 +22,7 @@ pub(super) enum Build {
     Always(fn(&Rung, &Settings) -> Scene),
     /// Wrong where the reference is: what is wrong is the scene.
     ByReference(fn(&Rung, &Settings, Reference) -> Scene),
-    /// From something that might not be sound, such as a surface.
+    /// A scene from a value that might not be sound, such as a surface.
     Tried(fn(&Rung, &Settings) -> Result<Scene, Failure>),
 }
 
@@ -306,7 +306,7 @@ impl Case {
         self
     }
 
-    /// Why nothing of it can be studied with other settings.
+    /// Reason for which nothing of it can be studied with other settings.
     #[must_use]
     pub const fn no_study(mut self, reason: &'static str) -> Self {
         self.studies = Err(reason);
@@ -327,7 +327,7 @@ impl Case {
         self
     }
 
-    /// Why no other solver can run it, in words that follow the name of the case.
+    /// Reason for which no other solver can run it, in words that follow the name of the case.
     #[must_use]
     pub const fn no_guest(mut self, reason: &'static str) -> Self {
         self.guest = Err(reason);

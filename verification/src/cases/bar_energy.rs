@@ -24,7 +24,7 @@ const AIR: usize = 4; // Empty cells beyond the free end
 const ENERGY: &str = "energy after ten periods, over the initial"; // Name of the energy at the end
 /// Name of the time that a run with linear functions took to break down.
 const INVERTED: &str = "periods until a particle is inverted or strained too far";
-/// What may be gained or lost of GIMP and B-splines where particles cross cells.
+/// Largest gain or loss of GIMP and B-splines where particles cross cells.
 const LARGE_GATE: f64 = 0.1;
 const SMALL_GATE: f64 = 0.015; // The same of all weighting functions with FLIP at small amplitude
 

@@ -71,7 +71,7 @@ pub static BASE_ACCELERATION: Case = Case::new(
 )])
 .guest(guest);
 
-/// What a rung runs.
+/// Problem of a rung.
 enum Problem {
     Column(Column),
     Block(Block),

@@ -71,7 +71,7 @@ pub static CANTILEVER: Case = Case::new("cantilever", "Does a soft cantilever sw
 /// [`Gate::at_most`] or [`Gate::at_least`].
 type NewGate = fn(String, f64, f64, &'static str) -> Gate;
 
-/// What the finite elements say of a gravity.
+/// Result of the finite elements for a gravity.
 #[derive(Debug)]
 struct ReferenceTip {
     /// Vertical displacement of the followed particle of each of [`CELLS`], at each interval \[m\].

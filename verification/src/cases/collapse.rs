@@ -30,14 +30,14 @@ const FALLS_OF_WATER: f64 = 2.0; // That of water, before the front reaches the 
 /// APIC, which does not ring where particles cross cells.
 const METHOD: Method = Method::DEFAULT.with_transfer(TransferKind::Apic);
 
-/// How far the front came beyond the column, over the width.
+/// Run-out of the front beyond the column, over the width.
 const BEYOND: &str = "run-out over width";
 const PUBLISHED: &str = "published run-out over width"; // The same by experiment, or by Ritter
 /// Height of the heap over the width, and that of experiments.
 const HEIGHT: &str = "height over width";
 const PUBLISHED_HEIGHT: &str = "published height over width";
 
-/// What a rung lets go.
+/// Material that a rung lets go.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Column {
     variant: &'static str,

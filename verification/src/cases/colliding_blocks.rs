@@ -83,7 +83,7 @@ fn parted(rung: &Rung) -> Result<Guest, &'static str> {
     })
 }
 
-/// What a collision gave.
+/// Result of a collision.
 #[derive(Clone, Copy, Debug, Default)]
 struct Collision {
     impulse: f64,

@@ -73,7 +73,7 @@ fn exact() -> Slope {
     }
 }
 
-/// How far the base of the block has turned, at most \[rad\].
+/// Largest turn of the base of the block \[rad\].
 fn turn(simulation: &Simulation) -> f64 {
     let vertices = simulation.boundaries().vertices;
     let own: Vec<_> = vertices.iter().filter(|v| v.id == 1).collect();

@@ -25,7 +25,7 @@ const YIELD: f64 = 0.1;
 const HARDENING: f64 = 10.0;
 /// Friction \[°\], cohesion \[Pa\], dilation \[°\] of the soil that is pressed.
 const SOIL: [f64; 3] = [20.0, 0.03, 5.0];
-/// Those of the soils that are sheared, without dilation and with it.
+/// Constants of the soils that are sheared, without dilation and with it.
 const FIRM: [f64; 3] = [30.0, 0.02, 0.0];
 const DILATANT: [f64; 3] = [30.0, 0.02, 12.0];
 /// Normal stresses in the plane of shear, and across, of the soil under weight \[Pa\].
@@ -48,7 +48,7 @@ const RETURNS: &str = "returns"; // The variant of returns
 /// A path of strain and its answer.
 struct Path {
     name: &'static str,
-    /// Whether the answer does not depend on the number of steps.
+    /// True if the answer does not depend on the number of steps.
     exact: bool,
     law: fn() -> AnyLaw,
     /// Stress at the start xx, yy, zz, yz, xz, xy \[Pa\].
@@ -325,7 +325,7 @@ impl Path {
         Ok(states)
     }
 
-    /// What is shown of a stress: the compression along the axis, or the shear.
+    /// Component of a stress that is shown: the compression along the axis, or the shear.
     fn shown(&self, stress: &[f64; 6]) -> f64 {
         if self.is_pressed() {
             -stress[2]

@@ -41,13 +41,13 @@ const SHARE: &str = "load over the exact one";
 /// The load as the pressure on B + h, half a cell more on each side.
 const WIDER: &str = "load on B + h over the exact one";
 
-/// What a rung runs.
+/// Problem of a rung.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Variant {
     name: &'static str,
     /// Angle of friction \[°\].
     friction: f64,
-    /// Whether a pressure beside the footing carries it, and not cohesion.
+    /// True if a pressure beside the footing carries it, and not cohesion.
     pressed: bool,
     rough: bool,
     volumes: VolumetricStrain,
@@ -145,7 +145,7 @@ impl Variant {
         [1.1 * aside, 1.5 * deep].map(|reach| 0.5 * WIDTH * (2.0 * reach).ceil())
     }
 
-    /// How far the footing goes \[m\]: three to four times what elastic ground would let it sink at the exact load.
+    /// Distance that the footing goes \[m\]: three to four times what elastic ground would let it sink at the exact load.
     fn way(&self) -> f64 {
         let ground = self.ground();
         let load = ground.bearing() - ground.surcharge;

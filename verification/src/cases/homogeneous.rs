@@ -5,12 +5,12 @@
 //! opposite to the rollers are free, or bear a constant pressure that the specimen has within from the start. Stress and
 //! strain are the same everywhere, so that each particle is compared with the path of its law (`exact/homogeneous.rs`).
 //!
-//! What presses is a plane of nodes: all of them get one velocity v along the axis and keep those across, so that the
-//! logarithmic axial strain of what lies below grows by v/H per time. There is no damping. Where it yields a specimen widens
-//! faster at once, by the speed of the plane, and so the plane comes to rest there: it strains the specimen to the yield
-//! surface and then beyond it, each time from rest to rest and in some hundred times that of a wave through it. Strains are
-//! 1e-5, with strengths in proportion, so that particles stay in their cells and pressed sides on the nodes at which the
-//! pressure acts: what the laws do is the same at any size. `proctor verify homogeneous`.
+//! A plane of nodes presses: all of them get one velocity v along the axis and keep those across, so that the logarithmic axial
+//! strain below it grows by v/H per time. There is no damping. Where it yields a specimen widens faster at once, by the speed
+//! of the plane, and so the plane comes to rest there: it strains the specimen to the yield surface and then beyond it, each
+//! time from rest to rest and in some hundred times that of a wave through it. Strains are 1e-5, with strengths in proportion,
+//! so that particles stay in their cells and pressed sides on the nodes at which the pressure acts: what the laws do is the
+//! same at any size. `proctor verify homogeneous`.
 
 use super::prelude::*;
 use super::vocabulary::moved::smooth;
@@ -35,13 +35,13 @@ const AIR: usize = 1; // Empty cells beside free sides
 const STRESS: &str = "difference of stress over the strength";
 const VOLUME: &str = "difference of volume strain over the largest";
 
-/// What a rung runs.
+/// Problem of a rung.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Variant {
     name: &'static str,
     test: Test,
     law: &'static str,
-    /// Whether the free sides bear a pressure.
+    /// True if the free sides bear a pressure.
     pressed: bool,
 }
 
@@ -150,7 +150,7 @@ impl Variant {
     }
 }
 
-/// How the smooth plane moves that presses, nodes at the top of the specimen: it strains the specimen to the yield surface and
+/// Motion of the smooth plane that presses, nodes at the top of the specimen: it strains the specimen to the yield surface and
 /// then beyond it, each time from rest to rest.
 #[derive(Clone, Copy, Debug)]
 struct Plane {
@@ -201,11 +201,11 @@ pub static HOMOGENEOUS: Case = Case::new(
 .wrong_references(&[WRONG_STRENGTH, WRONG_DILATION, WRONG_STRAIN])
 .no_study("stress and strain are the same everywhere, so that no cell size has a say");
 
-/// By how much particles are off along a path, at most.
+/// Largest deviation of the particles along a path.
 struct Off {
     /// Volumes at the start \[m³\].
     volumes: Vec<f64>,
-    /// What stresses \[Pa\] and volume strains are compared with.
+    /// Scales of the stresses \[Pa\] and of the volume strains.
     scales: [f64; 2],
     /// Stress and volume strain, over their scales.
     most: [f64; 2],

@@ -3,11 +3,11 @@
 //! Source: contact manual, section 2.1. The frame is that of the incline: gravity is
 //! 7.07 m/s² along x and into the base, 45 degrees.
 //!
-//! What judges is the *settled* scene: a block of 10 m x 2 m on a held base is relaxed under the gravity normal to it,
-//! then released. It is flatter than the manual's cube, whose rear edge lifts for mu > b/3H = 1/3. The block keeps its
-//! weight on the base from the first step on, so the acceleration of its centre of mass is g_x - mu g_n whatever the
-//! mesh. Its displacement is that of a rigid block but for the time in which the base still sticks, H/c_s: 0.4 % for
-//! mu = 0.5. The study compares with the elastic block, to which the displacement converges.
+//! The *settled* scene is judged: a block of 10 m x 2 m on a held base is relaxed under the gravity normal to it, then
+//! released. It is flatter than the manual's cube, whose rear edge lifts for mu > b/3H = 1/3. The block keeps its weight on the
+//! base from the first step on, so the acceleration of its centre of mass is g_x - mu g_n whatever the mesh. Its displacement
+//! is that of a rigid block but for the time in which the base still sticks, H/c_s: 0.4 % for mu = 0.5. The study compares with
+//! the elastic block, to which the displacement converges.
 //!
 //! It *sticks* for mu >= tan(theta) = 1: its creep velocity falls to zero. A rigid block does so however it is let go; an
 //! elastic one swings when it is released at once, and asks for twice the friction at the turn. So it is tilted slowly
@@ -31,7 +31,7 @@ use crate::exact::elastic_block::{ElasticBlock, Release, Slid};
 use crate::exact::sliding::Slope;
 
 const TIME: f64 = 2.0; // Time from the release to the end [s]
-/// Where the block lies along the incline at the start \[m\].
+/// Range of the block along the incline at the start \[m\].
 const ALONG: [f64; 2] = [2.0, 12.0];
 const LENGTH: f64 = 28.0; // Length of the base [m]: the way without friction is 14.14 m
 const HEIGHT: f64 = 2.0; // Height of the settled block [m]
@@ -72,20 +72,20 @@ pub static INCLINED_BLOCK: Case = Case::new(
 )])
 .guest(guest);
 
-/// What is asked of a block.
+/// Problem of a block.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Kind {
-    /// To slide, settled.
+    /// The settled block slides.
     Settled,
-    /// To stick, tilted slowly.
+    /// The block sticks, tilted slowly.
     Stick,
-    /// To stick where it is tilted the other way.
+    /// The block sticks, tilted the other way.
     StickMirrored,
-    /// To stick, released at once.
+    /// The block sticks, released at once.
     StickAtOnce,
     /// Released at once with a friction at which it walks, with damping and without.
     Walk(Option<f64>),
-    /// To slide as in the manual.
+    /// The block slides as in the manual.
     Printed,
 }
 

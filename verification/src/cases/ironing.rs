@@ -32,7 +32,7 @@ const YOUNG: f64 = 600.0;
 const POISSON: f64 = 0.32;
 const DENSITY: f64 = 2000.0;
 const RADIUS: f64 = 1.0;
-/// From the block's edge and from its top to the indenter \[m\].
+/// Distance from the block's edge and from its top to the indenter \[m\].
 const APART: f64 = 0.2;
 const SEGMENT: f64 = 0.1;
 const CRITICAL_GAP: f64 = 0.04;

@@ -113,12 +113,12 @@ const fn of_last_contact() -> GateRule {
         .named("{label}: error of the last contact")
 }
 
-/// What a run gives to be judged.
+/// Result of a run that is judged.
 #[derive(Debug)]
 struct History {
     /// Time \[s\] and contact force on the right ring \[N\], step by step.
     forces: Vec<(f64, f64)>,
-    /// At the start and at the end of each interval: see [`energies`].
+    /// Energies at the start and at the end of each interval: see [`energies`].
     energies: Vec<[f64; 4]>,
 }
 

@@ -37,7 +37,7 @@ const SETTLING: f64 = 0.1; // Local damping while the disk settles
 pub(super) const WAY: &str = "distance along the plane after 2 s";
 pub(super) const RATIO: &str = "rotation times R over distance after 2 s";
 pub(super) const AREA: &str = "growth of the area";
-/// What spin and load have no part in.
+/// Area that neither spin nor load changes.
 const AREA_OFF: &str = "growth of the area minus that of spin and load";
 
 const WRONG_GRAVITY: Wrong =

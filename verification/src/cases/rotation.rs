@@ -85,7 +85,7 @@ fn velocity(x: [f64; 3], spin: f64) -> [f64; 3] {
     [-spin * (x[1] - MIDDLE), spin * (x[0] - MIDDLE), 0.0]
 }
 
-/// Where the point `x` (m) is after a turn by `angle` (rad).
+/// Place of the point `x` (m) after a turn by `angle` (rad).
 fn turned(x: [f64; 3], angle: f64) -> [f64; 3] {
     let (sin, cos) = libm::sincos(angle);
     let (a, b) = (x[0] - MIDDLE, x[1] - MIDDLE);

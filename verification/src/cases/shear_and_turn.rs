@@ -4,10 +4,10 @@
 //! velocity gradients are those of the motion, and what is left is the law: simple shear to gamma = 3 from a state
 //! without stress, and ten turns of a stressed block, in the plane and in space.
 //!
-//! What an update gives in equal steps has a closed form, of Hughes and Winget's and of the manuals' forward Jaumann
-//! rate (`exact/objective_rate.rs`): the kernel must give it to round-off. Against the exact stress both are of order 1
-//! in shear. In a turn of N steps the first keeps the deviator, the second makes it grow by exp(8 pi²/N), and takes chords
-//! of circles for a compression, (lambda + G) 4 pi²/N. Cells shrink with the step. `proctor verify shear-and-turn`.
+//! The result of an update in equal steps has a closed form, of Hughes and Winget's and of the manuals' forward Jaumann rate
+//! (`exact/objective_rate.rs`): the kernel must give it to round-off. Against the exact stress both are of order 1 in shear. In
+//! a turn of N steps the first keeps the deviator, the second makes it grow by exp(8 pi²/N), and takes chords of circles for a
+//! compression, (lambda + G) 4 pi²/N. Cells shrink with the step. `proctor verify shear-and-turn`.
 
 use super::prelude::*;
 use crate::exact::objective_rate::{
@@ -31,7 +31,7 @@ const PREDICTED: &str = "difference from the closed form over the stress";
 const GROWTH: &str = "growth of the deviator per turn, logarithm";
 const PRESSURE: &str = "pressure per turn, over lambda + G";
 
-/// What a rung runs.
+/// Problem of a rung.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Variant {
     name: &'static str,

@@ -98,7 +98,7 @@ const VARIANTS: [Variant; 9] = [
 /// The variant of the study, which is no rung of the ladder.
 const BOUNCE: Variant = ("bounce", StressScheme::Usl, 1.0, true);
 
-/// What is seen of a run.
+/// Observations of a run.
 #[derive(Default)]
 struct Observations {
     deepest: f64,
@@ -111,7 +111,7 @@ struct Observations {
     first: Option<f64>,
     last: f64,
     gained: f64,
-    /// Of the step before: mass and velocity of the particles, strain and potential energy \[J\].
+    /// Mass and velocity of the particles, strain and potential energy \[J\] in the step before.
     before: Option<(Vec<(f64, Vector)>, f64)>,
     pull: f64,
     /// Time before the step \[s\].
@@ -253,7 +253,7 @@ fn quantities(
     all
 }
 
-/// What is known of the start.
+/// Data of the start.
 struct Start {
     center: Vector,
     velocity: Vector,

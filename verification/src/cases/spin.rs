@@ -41,7 +41,7 @@ const PRINCIPAL: &str = "difference of principal stresses over the stress";
 const MULTIPLIER: &str = "added plastic strain over the plastic strain";
 const WORK: &str = "added plastic work over the plastic work";
 
-/// What a rung runs.
+/// Problem of a rung.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Variant {
     name: &'static str,
@@ -172,7 +172,7 @@ fn keep(off: &mut Off, now: Off) {
     }
 }
 
-/// By how much a particle is off that began to spin with a state.
+/// Deviation of a particle that began to spin with a state.
 fn off_by(start: &SpinStart, now: &SpinStart, rotation: &Matrix) -> Off {
     let size = length(start.stress);
     let exact = turned(start.stress, rotation);
@@ -234,7 +234,7 @@ fn motion(reference: Reference, rung: &Rung) -> NodeMotion {
     }
 }
 
-/// Does steps of the scene up to a number.
+/// Runs steps of the scene up to a number.
 fn advance(
     simulation: &mut Simulation,
     steps: u64,

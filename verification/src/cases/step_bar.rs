@@ -42,7 +42,7 @@ const DURATION: &str = "duration";
 const PRESSURE: &str = "pressure on the wall";
 const REBOUND: &str = "speed of the rebound";
 
-/// What a simulation that keeps displacements does not lack.
+/// Error of a simulation without the initial positions, which one that keeps displacements has.
 const MISSING: &str = "the simulation kept no initial positions";
 
 const KINK: &str = "a kink over w, with the error w of what it bends: w^(3/2)";

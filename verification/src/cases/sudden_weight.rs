@@ -89,7 +89,7 @@ pub static SUDDEN_WEIGHT: Case = Case::new(
 )])
 .guest(guest);
 
-/// What was seen at one time.
+/// Observations at one time.
 #[derive(Clone, Copy, Debug)]
 struct Observations {
     time: f64,
@@ -154,7 +154,7 @@ fn ends(simulation: &Simulation, settings: &Settings) -> Result<Observations, Fa
     })
 }
 
-/// What a simulation that keeps displacements does not lack.
+/// Error of a simulation without the initial positions, which one that keeps displacements has.
 const MISSING: &str = "the simulation kept no initial positions";
 
 fn scene(rung: &Rung, settings: &Settings) -> Scene {

@@ -23,7 +23,7 @@ const OFF: &str = "off";
 const BESIDE: f64 = 0.3;
 const RADIAL: &str = "L2(radial stress)";
 const RESIDUAL: &str = "residual";
-/// Where the relaxation stops, over the force of the pressure.
+/// Residual at which the relaxation stops, over the force of the pressure.
 const RESIDUAL_TARGET: f64 = 1e-9;
 const RESIDUAL_STUDIED: f64 = 1e-6;
 const WRONG_PRESSURE: Wrong =

@@ -105,16 +105,16 @@ pub static TILTED_INCLINE: Case = Case::new("tilted-incline", "Does a block slid
     ], 2)])
     .no_guest("its block settles on a rough plane before friction changes, and a scene file has one friction for all of a run");
 
-/// What is asked of a block.
+/// Problem of a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
-    /// To slide, released from a rough plane.
+    /// The block slides, released from a rough plane.
     Slide,
-    /// To slide, pulled from rest.
+    /// The block slides, pulled from rest.
     Pulled,
-    /// To slide without a share of PIC.
+    /// The block slides without a share of PIC.
     Undamped,
-    /// To stick, pulled from rest.
+    /// The block sticks, pulled from rest.
     Stick,
 }
 
@@ -129,7 +129,7 @@ struct Problem {
 }
 
 impl Problem {
-    /// Whether the block settles without friction and is pulled from rest.
+    /// True if the block settles without friction and is pulled from rest.
     fn pulled_later(&self) -> bool {
         matches!(self.kind, Kind::Pulled | Kind::Stick)
     }

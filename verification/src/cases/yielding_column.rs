@@ -4,12 +4,12 @@
 //! a depth it is elastic, below it yields: the vertical stress is the weight above in any case, the lateral one is on the
 //! yield surface (for Mohr and Coulomb the active pressure K_a q - 2 c sqrt(K_a)), and the column is softer there.
 //!
-//! What yields remembers its way. Gravity that acts at once lets a column swing to twice its weight (*sudden-weight*), and
-//! what yielded then stays strained; kinetic damping takes the motion away, not the plastic strain. So gravity rises
-//! smoothly over four periods, and viscous damping is that of an overdamped swing: with the lowest frequency pi c/2H
-//! the column creeps down behind its load and stops without turning round, no stress ever falls, and the answer is that of
-//! the one loading path. The plastic work is judged as well, since it would show a stress that was too high on the way.
-//! Once gravity is whole the run goes on until the unbalanced force is 1e-7 of the weight.
+//! A material that yields remembers its path. Gravity that acts at once lets a column swing to twice its weight
+//! (*sudden-weight*), and what yielded then stays strained; kinetic damping takes the motion away, not the plastic strain. So
+//! gravity rises smoothly over four periods, and viscous damping is that of an overdamped swing: with the lowest frequency pi
+//! c/2H the column creeps down behind its load and stops without turning round, no stress ever falls, and the answer is that of
+//! the one loading path. The plastic work is judged as well, since it would show a stress that was too high on the way. Once
+//! gravity is whole the run goes on until the unbalanced force is 1e-7 of the weight.
 //!
 //! Strains are 1e-3: no particle crosses a cell. Run with B-splines: with GIMP and two particles per cell both have the strain
 //! of the cell, and the stress of each is off by the weight of h/4, which is 1.3 % of the whole at 32 cells and 0.6 % at 64
@@ -40,7 +40,7 @@ const LATERAL: &str = "L2(lateral stress) where it yields";
 const SETTLEMENT: &str = "settlement of the top";
 const PLASTIC: &str = "plastic work";
 
-/// What a simulation that keeps displacements does not lack.
+/// Error of a simulation without the initial positions, which one that keeps displacements has.
 const MISSING: &str = "the simulation kept no initial positions";
 
 const ORDER: &str = "1 at least: slopes have a kink where it yields";
@@ -135,8 +135,8 @@ fn settings() -> Settings {
     Settings::new(METHOD)
 }
 
-/// How far the top has sunk \[m\]: the stress there is zero, so u = u(H) - b (H - z)², and the second layer of
-/// particles is three times as deep as the first.
+/// Settlement of the top \[m\]: the stress there is zero, so u = u(H) - b (H - z)², and the second layer of particles is three
+/// times as deep as the first.
 fn settlement(simulation: &Simulation) -> Result<f64, Failure> {
     let sunk = along(simulation, 1, |p, _| {
         let u = simulation.displacement(0, p);

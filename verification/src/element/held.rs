@@ -33,7 +33,7 @@ pub(super) struct DrivenComponents {
     least: f64,
 }
 
-/// Why a step was not taken.
+/// Reason for which a step was not taken.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum StepFailure {
     /// Stresses are missed by so much \[Pa\].
@@ -43,7 +43,7 @@ pub(super) enum StepFailure {
 }
 
 impl DrivenComponents {
-    /// Of a law, with the components that are driven.
+    /// Specimen of a law, with the components that are driven.
     pub fn of(law: &AnyLaw, stress: [bool; 6]) -> Self {
         let moduli = constant(law, "young").zip(constant(law, "poisson"));
         let stiffness = moduli.map(|(young, poisson)| {

@@ -16,7 +16,7 @@ pub struct Row {
 /// A path from time 0 and no strain through rows, straight from one to the next.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Path {
-    /// Which components are driven by their stress.
+    /// True for components that are driven by their stress.
     pub stress: [bool; 6],
     /// Rows in order of their times, the first later than 0.
     pub rows: Vec<Row>,

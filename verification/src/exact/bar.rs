@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 
 use libm::{cos, sin};
 
-/// What holds the far end of the bar; the near end `x = 0` is fixed.
+/// Condition of the far end of the bar; the near end `x = 0` is fixed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FarEnd {
     /// Stress free.
@@ -28,7 +28,7 @@ pub struct Bar {
     pub velocity_amplitude: f64,
     /// Number of the mode, from 1.
     pub mode: u32,
-    /// What holds `x = L`.
+    /// Condition of the end `x = L`.
     pub far_end: FarEnd,
 }
 

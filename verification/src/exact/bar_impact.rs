@@ -47,7 +47,7 @@ impl MovingBar {
         self.density * self.length
     }
 
-    /// What the bar does at a rigid wall that it runs into: the limit of a second bar of any impedance.
+    /// Answer of the bar to a rigid wall that it runs into: the limit of a second bar of any impedance.
     #[must_use]
     pub fn at_a_wall(&self) -> WallImpact {
         WallImpact {
@@ -85,7 +85,7 @@ impl BarImpact {
         z_a * z_b / (z_a + z_b) * (a.velocity - b.velocity)
     }
 
-    /// How the bars press on each other; `None` where they do not come nearer.
+    /// Force between the bars; `None` where they do not come nearer.
     #[must_use]
     pub fn press(&self) -> Option<Press> {
         let [a, b] = &self.bars;
@@ -180,29 +180,29 @@ impl BarImpact {
     }
 }
 
-/// How two bars press on each other.
+/// Force between two bars.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Press {
     /// Impulse per cross-section, Pa s.
     pub impulse: f64,
     /// Twice the centroid of the pressure in time, s: how long a pressure that does not change acts.
     pub duration: f64,
-    /// When they have parted for good, s.
+    /// Time at which they have parted for good, s.
     pub parted: f64,
 }
 
-/// What leaves the end of a bar comes back from its other one.
+/// Wave that comes back from the other end of a bar after it left this one.
 struct Echo {
     /// Two transits, s.
     delay: f64,
     /// Velocity before anything has come back, m/s.
     before: f64,
-    /// What was sent since which times, m/s.
+    /// Waves that were sent, with the times since which they are, m/s.
     sent: Vec<(f64, f64)>,
 }
 
 impl Echo {
-    /// What comes back from a time on.
+    /// Wave that comes back from a time on.
     fn back(&self, time: f64) -> f64 {
         let sent = self.sent.iter().rev();
         let due = sent
@@ -211,7 +211,7 @@ impl Echo {
         due.map_or(self.before, |(_, velocity)| *velocity)
     }
 
-    /// When it changes next, s.
+    /// Time of its next change, s.
     fn next(&self, time: f64) -> f64 {
         let due = self.sent.iter().map(|(since, _)| since + self.delay);
         due.filter(|due| *due > time).fold(f64::INFINITY, f64::min)

@@ -48,7 +48,7 @@ impl Ground {
         self.cohesion * self.of_cohesion() + self.surcharge * self.of_surcharge()
     }
 
-    /// How far beside the middle of a footing the ground moves, and how deep, over the width of the footing: the wedge below
+    /// Width and depth of the ground that moves beside the middle of a footing, over the width of the footing: the wedge below
     /// it has sides of 1/(2 cos(45° + phi/2)), which the spiral lengthens by exp(tan(phi) times its angle).
     #[must_use]
     pub fn reach(&self) -> [f64; 2] {

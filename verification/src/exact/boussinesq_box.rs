@@ -20,7 +20,7 @@ use std::fmt;
 use mode::Medium;
 use mode_sum::{Amplitudes, Parity};
 
-/// What is loaded, and how: the input of [`BoxSolution`].
+/// Body and load: the input of [`BoxSolution`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct BoxProblem {
     /// Extent along x, m.
@@ -35,20 +35,20 @@ pub struct BoxProblem {
     pub poisson: f64,
     /// Total downward force, N.
     pub load: f64,
-    /// Where the load acts (the centre of the patch), m.
+    /// Place of the load (the centre of the patch), m.
     pub position: [f64; 2],
     /// Side of the square patch that carries the load, m; `None` for a point load.
     pub patch: Option<f64>,
 }
 
-/// Why a [`BoxProblem`] has no solution here.
+/// Reason for which a [`BoxProblem`] has no solution here.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InvalidBox {
     /// The field at fault.
     pub field: &'static str,
     /// Its value.
     pub value: f64,
-    /// What is accepted.
+    /// Values that are accepted.
     pub accepted: &'static str,
 }
 

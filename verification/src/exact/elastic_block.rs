@@ -22,7 +22,7 @@ pub struct ElasticBlock {
     pub density: f64,
 }
 
-/// How a block that has settled without friction is let go.
+/// Release of a block that has settled without friction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Release {
     /// Gravity along the incline and into it \[m/s²\].
@@ -37,7 +37,7 @@ pub struct Release {
     pub time: f64,
 }
 
-/// What the block did.
+/// Motion of the block.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slid {
     /// Displacement of the centre of mass along the incline since friction began \[m\].

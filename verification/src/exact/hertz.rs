@@ -28,9 +28,9 @@ impl Hertz {
         2.0 * (self.load * self.radius / (PI * self.modulus)).sqrt()
     }
 
-    /// How much nearer the centre of a disk of the radius is to the plane or to the other disk that it is pressed against
-    /// \[m\]: F/(pi E_1*) (2 ln(4 R/b) - 1), with the modulus of the disk alone against something rigid, as between two equal
-    /// disks (Johnson, eq. 5.57).
+    /// Approach of the centre of a disk of the radius to the plane or to the other disk that it is pressed against \[m\]: F/(pi
+    /// E_1*) (2 ln(4 R/b) - 1), with the modulus of the disk alone against something rigid, as between two equal disks
+    /// (Johnson, eq. 5.57).
     #[must_use]
     pub fn approach(&self) -> f64 {
         let log = libm::log(4.0 * self.radius / self.half_width());

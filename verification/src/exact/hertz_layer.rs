@@ -41,7 +41,7 @@ pub struct LayerContact {
     pub approach: f64,
 }
 
-/// Why there is no solution.
+/// Reason for which there is no solution.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LayerError {
     /// Largest residual of the gaps \[m\].
@@ -53,7 +53,7 @@ impl LayerContact {
     /// the layer carries about the mean pressure.
     ///
     /// # Errors
-    /// Where Newton's method does not come to rest.
+    /// If Newton's method does not converge.
     pub fn solve(
         hertz: &Hertz,
         layer: Layer<'_>,

@@ -26,7 +26,7 @@ impl HertzSphere {
         1.5 * self.load / (PI * self.contact_radius().powi(2))
     }
 
-    /// By how much distant points of the bodies come closer, a²/R \[m\].
+    /// Approach of distant points of the bodies, a²/R \[m\].
     #[must_use]
     pub fn approach(&self) -> f64 {
         self.contact_radius().powi(2) / self.radius

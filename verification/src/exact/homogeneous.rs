@@ -17,7 +17,7 @@ use super::two_slopes::TwoSlopes;
 /// Steps of the integration between two states of a path.
 const STEPS: u32 = 200;
 
-/// What is held across the axis y.
+/// Condition across the axis y.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Test {
     /// No strain along x and z.
@@ -28,7 +28,7 @@ pub enum Test {
     Triaxial,
 }
 
-/// Where a specimen yields, and how it flows.
+/// Yield surface of a specimen, and its flow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Surface {
     /// Angle of friction (degrees), cohesion (Pa) and angle of dilation (degrees); Tresca where both angles are zero.

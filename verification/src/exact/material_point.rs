@@ -48,7 +48,7 @@ pub struct ShearedSoil {
 }
 
 impl ShearedSoil {
-    /// From the normal stresses (Pa), the angle of friction (degrees) and the cohesion (Pa).
+    /// Strength from the normal stresses (Pa), the angle of friction (degrees) and the cohesion (Pa).
     #[must_use]
     pub fn new(shear: f64, [x, y]: [f64; 2], friction: f64, cohesion: f64) -> Self {
         let (sine, cosine) = libm::sincos(friction.to_radians());

@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 
 use libm::{atan, atan2, exp, hypot, log1p, sin, sincos};
 
-/// How the stress follows a spin in a step.
+/// Update of the stress by a spin in a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Update {
     /// Turned by the midpoint rule, then strained.
@@ -97,7 +97,7 @@ struct Factor {
 }
 
 impl Factor {
-    /// Of one step: the angle (rad) of a rotation, or the forward increment.
+    /// Factor of one step: the angle (rad) of a rotation, or the forward increment.
     fn of(update: Update, angle: f64, increment: f64) -> Self {
         match update {
             Update::HughesWinget => Self {

@@ -23,7 +23,7 @@ pub struct RingImpact {
     pub barrier: Barrier,
 }
 
-/// What one ring does at a time; per 1 m of thickness.
+/// State of one ring at a time; per 1 m of thickness.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
     /// Time \[s\].
@@ -38,7 +38,7 @@ pub struct Sample {
     pub barrier: f64,
 }
 
-/// What the contact forces of a collision come to.
+/// Sums of the contact forces of a collision.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
     /// First time with more than a share of the largest force \[s\].
@@ -53,7 +53,7 @@ pub struct Contact {
 pub const THRESHOLD: f64 = 1e-3;
 
 impl Contact {
-    /// From times \[s\] and forces \[N\], which are joined by straight lines; `None` without any force.
+    /// Contact from times \[s\] and forces \[N\], which are joined by straight lines; `None` without any force.
     #[must_use]
     pub fn of(history: &[(f64, f64)]) -> Option<Self> {
         let largest = history.iter().map(|h| h.1).fold(0.0, f64::max);

@@ -8,7 +8,7 @@
 
 use super::hertz_layer::LayerContact;
 
-/// Where and how the disk touches the plane.
+/// State of the contact of the disk and the plane.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RollingCreep {
     /// Pressure under the disk.

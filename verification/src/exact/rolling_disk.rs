@@ -14,7 +14,7 @@ pub struct RollingDisk {
 }
 
 impl RollingDisk {
-    /// Whether it rolls without slip: tan(theta) <= 3 mu, as friction must give a third of the pull down the plane.
+    /// True if it rolls without slip: tan(theta) <= 3 mu, as friction must give a third of the pull down the plane.
     #[must_use]
     pub fn sticks(&self) -> bool {
         libm::tan(self.inclination) <= 3.0 * self.friction

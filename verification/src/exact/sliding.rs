@@ -14,7 +14,7 @@ pub struct Slope {
 }
 
 impl Slope {
-    /// Whether the block stays where it is: `|g sin(theta)| <= mu g cos(theta)`.
+    /// True if the block stays at rest: `|g sin(theta)| <= mu g cos(theta)`.
     #[must_use]
     pub fn sticks(&self) -> bool {
         self.into >= 0.0 && self.along.abs() <= self.friction * self.into

@@ -56,7 +56,7 @@ pub struct Turn {
 }
 
 impl Vortex {
-    /// How the ring of the point that began at `x0` (m) has turned at `t` (s).
+    /// Turn of the ring of the point that began at `x0` (m) at `t` (s).
     #[must_use]
     pub fn turn(&self, x0: [f64; 2], t: f64) -> Turn {
         let radius = hypot(x0[0], x0[1]);

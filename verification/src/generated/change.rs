@@ -5,7 +5,7 @@ use proctor_scene::{InitialStress, Mesh, Scene, Shape, Vector};
 /// A frame: axis `a` of a scene is axis `to[a]` of the other, in the direction `sign[a]`; coordinates are then shifted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
-    /// Where each axis goes.
+    /// New index of each axis.
     pub to: [usize; 3],
     /// Its direction: 1 where it is kept, -1 where it turns round.
     pub sign: [f64; 3],

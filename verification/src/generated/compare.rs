@@ -19,7 +19,7 @@ pub struct Scale {
 }
 
 impl Scale {
-    /// That of a run.
+    /// Scale of a run.
     pub fn of(scene: &Scene, seen: &FinalState) -> Self {
         let axes = scene.dimension.axes();
         let cells = scene.mesh.cell[..axes].iter();

@@ -63,7 +63,7 @@ impl Dice {
         }
     }
 
-    /// Where a face lies in its cell, in cells: on a line of the mesh, half way, on a quarter, or anywhere.
+    /// Place of a face in its cell, in cells: on a line of the mesh, half way, on a quarter, or anywhere.
     pub fn place(&mut self) -> f64 {
         match self.whole(0, 3) {
             0 => 0.0,

@@ -47,19 +47,19 @@ impl Units {
         time: 1.0,
     };
 
-    /// Of velocity.
+    /// Unit of velocity.
     #[must_use]
     pub fn velocity(&self) -> f64 {
         self.length / self.time
     }
 
-    /// Of stress.
+    /// Unit of stress.
     #[must_use]
     pub fn stress(&self) -> f64 {
         self.mass / (self.length * self.time * self.time)
     }
 
-    /// Of density.
+    /// Unit of density.
     #[must_use]
     pub fn density(&self) -> f64 {
         self.mass / (self.length * self.length * self.length)

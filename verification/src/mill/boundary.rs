@@ -25,7 +25,7 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// That of a problem with steps of `dt` \[s\].
+    /// Frame of a problem with steps of `dt` \[s\].
     #[must_use]
     pub fn new(problem: &Problem, dt: f64) -> Arc<Self> {
         Self::late(problem, dt, 0.0)

@@ -17,9 +17,9 @@ const COUNT: usize = 10;
 /// Differences between derivatives by forward mode and central differences.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Derivation {
-    /// Of F.
+    /// Error of F.
     pub deformation: f64,
-    /// Of Div P, over Young's modulus per metre times the strain.
+    /// Error of Div P, over Young's modulus per metre times the strain.
     pub force: f64,
 }
 

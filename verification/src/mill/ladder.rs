@@ -21,7 +21,7 @@ pub struct Errors {
     pub variable: Option<f64>,
 }
 
-/// Why a run has no errors.
+/// Reason for which a run has no errors.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Failure {
     /// The problem has no solution that a ladder may be run for.

@@ -58,7 +58,7 @@ impl Kind {
         Self::Tresca,
         Self::MohrCoulomb,
     ];
-    /// Those that are drawn in space: a face of a pyramid of yield is left there where a stress across it grows.
+    /// Number of materials that are drawn in space: a face of a pyramid of yield is left there where a stress across it grows.
     pub const IN_SPACE: usize = 7;
 
     /// The word of scene files.
@@ -237,7 +237,7 @@ impl Material {
         })
     }
 
-    /// That of Newton's fluid.
+    /// Stress of Newton's fluid.
     fn of_fluid<T: Scalar, const D: usize>(&self, f: &Matrix<T>, rate: &Matrix<T>) -> Matrix<T> {
         let jacobian = determinant_of::<T, D>(f);
         let gradient = product_of::<T, D>(rate, &inverse_of::<T, D>(f));

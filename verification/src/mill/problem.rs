@@ -12,11 +12,11 @@ use crate::settings::{Method, Settings};
 /// The support of a body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Family {
-    /// On the whole mesh between fixed planes.
+    /// A motion on the whole mesh between fixed planes.
     Box,
     /// Free on all sides, with a field that leaves the faces without stress; it shifts and turns.
     Floating,
-    /// In a frame of prescribed nodes that stretches, shears and turns.
+    /// A motion in a frame of prescribed nodes that stretches, shears and turns.
     Frame,
     /// The same without a field: the stress is uniform.
     Affine,

@@ -18,9 +18,9 @@ pub struct Reference {
     /// Number of each particle by the bits of its place at the start.
     numbers: HashMap<[u64; 3], usize>,
     places: Vec<Place>,
-    /// Those of the steps; the last is the end.
+    /// Moments of the steps; the last is the end.
     moments: Vec<Moment>,
-    /// Of laws with a memory: Div P \[N/m³\] in each step of each particle, and what they end with.
+    /// Paths of laws with a memory: Div P \[N/m³\] in each step of each particle, and what they end with.
     followed: Option<(Vec<Vector>, Vec<PathEnd>)>,
     dt: f64,
 }
@@ -43,7 +43,7 @@ fn bits(x: &Vector) -> [u64; 3] {
 }
 
 impl Reference {
-    /// That of a rung with that many cells per metre.
+    /// Reference of a rung with that many cells per metre.
     ///
     /// # Errors
     /// The scene is refused.
@@ -64,7 +64,7 @@ impl Reference {
         Ok(Self::at(problem, &starts, places, dt, steps))
     }
 
-    /// That of particles that begin there \[m\], with steps of `dt` \[s\].
+    /// Reference of particles that begin there \[m\], with steps of `dt` \[s\].
     #[must_use]
     pub fn at(
         problem: &Problem,

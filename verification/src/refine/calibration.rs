@@ -166,7 +166,7 @@ pub struct Coverage {
 }
 
 impl Coverage {
-    /// Of these bars by a rule.
+    /// Coverage of these bars by a rule.
     #[must_use]
     pub fn of<'a>(triples: impl IntoIterator<Item = &'a Triple>, rule: Rule) -> Self {
         let mut cases: BTreeMap<&str, Vec<f64>> = BTreeMap::new();
@@ -241,7 +241,7 @@ pub struct Calibration {
 }
 
 impl Calibration {
-    /// On these ladders.
+    /// Calibration on these ladders.
     #[must_use]
     pub fn new(ladders: &[Ladder]) -> Self {
         Self {

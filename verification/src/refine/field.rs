@@ -77,7 +77,7 @@ pub struct Snapshot {
 }
 
 impl Snapshot {
-    /// Of a simulation that keeps its displacements, in order of the particles' identifiers.
+    /// Field of a simulation that keeps its displacements, in order of the particles' identifiers.
     #[must_use]
     pub fn of(simulation: &Simulation) -> Self {
         let of = |index: usize| {

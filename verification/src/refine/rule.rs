@@ -143,7 +143,7 @@ pub struct Estimate {
     pub width: f64,
     /// Difference of the two finest meshes, or that of the coarser two reduced by order 2 where it is larger.
     pub difference: f64,
-    /// From the value on the finest mesh to the extrapolated one, where the values are asymptotic.
+    /// Difference from the value on the finest mesh to the extrapolated one, where the values are asymptotic.
     pub to_limit: Option<f64>,
     /// Ratio of the two finest cell sizes.
     pub ratio: f64,

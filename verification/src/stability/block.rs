@@ -45,7 +45,7 @@ pub enum Form {
 pub struct Place {
     /// The form.
     pub form: Form,
-    /// Where it begins, in cells past a node, along all axes alike: the corners of a body are lightest where all its sides
+    /// Start of the block, in cells past a node, along all axes alike: the corners of a body are lightest where all its sides
     /// are.
     pub offset: f64,
 }
@@ -89,7 +89,7 @@ impl Form {
         }
     }
 
-    /// Whether it is more than a cell thick along all axes.
+    /// True if it is more than a cell thick along all axes.
     #[must_use]
     pub fn is_thick(self) -> bool {
         matches!(self, Self::Block(quarters) if quarters > 4)
@@ -172,7 +172,7 @@ impl Choice {
         Ok(limit.map_or(f64::INFINITY, |limit| limit.courant))
     }
 
-    /// Whether a particle lies on a node at an offset, where a linear function has one gradient on the left and another on the
+    /// True if a particle lies on a node at an offset, where a linear function has one gradient on the left and another on the
     /// right: there is no linear step then.
     #[must_use]
     pub fn is_on_node(&self, offset: f64) -> bool {

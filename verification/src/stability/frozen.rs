@@ -11,8 +11,7 @@ use crate::cases::{NO_RESULTS, elastic_law};
 /// were: a step is linear in the state bit by bit. Its square is far from the smallest number all the same.
 const AMPLITUDE: f64 = 1e-20;
 
-/// What each particle remembers from one step to the next, apart from where it is: velocities with their affine part,
-/// and stresses.
+/// Memory of each particle from one step to the next, apart from its place: velocities with their affine part, and stresses.
 #[derive(Clone, Debug, PartialEq)]
 pub struct State {
     /// Velocities over the wave speed, and affine velocities times cell over wave speed.

@@ -36,10 +36,10 @@ pub fn pairs() -> impl Iterator<Item = (Weighting, TransferKind)> {
         .chain([LEAST_SQUARES])
 }
 
-/// Why a measured limit may not lie below the predicted one.
+/// Reason for which a measured limit may not lie below the predicted one.
 const NOT_BELOW_PREDICTED: &str =
     "the prediction is a bound: an unstable run below it says that one of the two is wrong";
-/// Why a measured limit may not lie below the kernel's step.
+/// Reason for which a measured limit may not lie below the kernel's step.
 const NOT_BELOW_KERNEL: &str =
     "a scene that leaves the step to the kernel must be stable wherever its body lies";
 /// The same for methods of which the kernel says that they have no safe step.
@@ -53,7 +53,7 @@ const ON_NODES: &str = ", particles on nodes";
 /// An entry of the map.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Entry {
-    /// What was asked.
+    /// Choice of the method.
     pub choice: Choice,
     /// Worst offset of each form, the worst first.
     pub forms: Vec<Worst>,
@@ -64,15 +64,15 @@ pub struct Entry {
 /// A measured limit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Site {
-    /// What is special about the place, in words that follow a name; empty for that with the smallest prediction.
+    /// Name of the place, in words that follow a name; empty for the one with the smallest prediction.
     pub word: &'static str,
-    /// Where it is.
+    /// Place of the block.
     pub place: Place,
     /// The predicted Courant number; `None` where a step is not linear.
     pub predicted: Option<f64>,
     /// The measured one.
     pub measured: MeasuredLimit,
-    /// Why the kernel's step must be stable here; `None` where the kernel says that it may not be.
+    /// Reason for which the kernel's step must be stable here; `None` where the kernel says that it may not be.
     pub must_hold: Option<&'static str>,
 }
 
@@ -98,7 +98,7 @@ impl Entry {
         self.forms[0]
     }
 
-    /// What is predicted for bodies that are more than a cell thick along all axes.
+    /// Prediction for bodies that are more than a cell thick along all axes.
     #[must_use]
     pub fn thick(&self) -> f64 {
         let thick = self.forms.iter().filter(|w| w.place.form.is_thick());
@@ -133,7 +133,7 @@ impl Entry {
         AUTOMATIC_SHARE * self.bound()
     }
 
-    /// What must hold. A limit that was not found in the range is beyond it, and the range's end stands for it.
+    /// Gates of the map. A limit that was not found in the range is beyond it, and the range's end stands for it.
     #[must_use]
     pub fn gates(&self) -> Vec<Gate> {
         let name = self.choice.name();
@@ -223,7 +223,7 @@ impl Choice {
     }
 }
 
-/// What the map of a size asks, the longest last: the plane in short, plane and space in full.
+/// Choices in the map of a size, the longest last: the plane in short, plane and space in full.
 #[must_use]
 pub fn choices(size: Size) -> Vec<Choice> {
     let dimensions: &[Dimension] = match size {

@@ -29,7 +29,7 @@ const NARROW: f64 = 1.02;
 /// First tries, as shares of the prediction.
 const FIRST: [f64; 2] = [0.99, 1.009];
 
-/// Where a climb begins, and by how much it rises.
+/// Start of a climb, and its step.
 const FOOT: f64 = 0.1;
 const PACE: f64 = 1.1;
 
@@ -40,13 +40,13 @@ pub struct MeasuredLimit {
     pub stable: Option<f64>,
     /// Smallest that was seen to be unstable; `None` where there is none in the range.
     pub unstable: Option<f64>,
-    /// Why the run at [`MeasuredLimit::unstable`] fails.
+    /// Class of the failure of the run at [`MeasuredLimit::unstable`].
     pub class: Option<Class>,
     /// Runs that were made.
     pub runs: usize,
 }
 
-/// What makes a run grow.
+/// Source of the growth of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Class {
     /// The time step: at half of it all is well.
@@ -160,8 +160,7 @@ pub fn climb(scene: &Scene) -> Result<MeasuredLimit, StabilityError> {
     })
 }
 
-/// Whether a scene without loads holds at a Courant number: neither an error, nor four times the energy in the second
-/// half.
+/// True if a scene without loads holds at a Courant number: neither an error, nor four times the energy in the second half.
 ///
 /// # Errors
 /// A scene that is refused.

@@ -1,4 +1,4 @@
-//! Where each method is stable: the largest time step, predicted and measured.
+//! Stability of each method: the largest time step, predicted and measured.
 //!
 //! *Predicted*: the step of the kernel itself, taken as a linear map. A body at rest is given velocities and stresses so
 //! small that no position changes by a bit; then one step of the kernel is linear in them to the last digit, and the
@@ -26,7 +26,7 @@ use std::fmt;
 use proctor_scene::SceneError;
 use proctor_scene::simulation::{RestoreError, SetupError, StartError, StepError};
 
-/// Why a limit cannot be had.
+/// Error of a limit that was not found.
 #[derive(Debug)]
 pub enum StabilityError {
     /// The scene is not sound.
@@ -39,9 +39,9 @@ pub enum StabilityError {
     Restore(RestoreError),
     /// An iteration did not come to an end.
     NoConvergence {
-        /// What was sought.
+        /// Quantity that was sought.
         what: &'static str,
-        /// What was left of it, relative.
+        /// Residual, relative.
         residual: f64,
     },
 }

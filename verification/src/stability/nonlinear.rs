@@ -43,7 +43,7 @@ pub const METHODS: [Method; 4] = [
     },
 ];
 
-/// Why the kernel's own step must be fine.
+/// Reason for which the kernel's own step must be stable.
 const KERNEL_HOLDS: &str =
     "a run at the kernel's step may have no more energy than twice that of a run at half of it";
 
@@ -51,12 +51,12 @@ const KERNEL_HOLDS: &str =
 pub struct Nonlinear {
     /// Name on the command line: lower case, words joined by `-`.
     pub name: &'static str,
-    /// What it tries.
+    /// Subject of the scene.
     pub what: &'static str,
     set: fn() -> Set,
-    /// Whether USF can run it.
+    /// True if USF can run it.
     usf: bool,
-    /// With how many of its methods a quick run tries it.
+    /// Number of its methods with which a quick run tries it.
     quick: usize,
 }
 
@@ -162,7 +162,7 @@ pub static ALL: &[Nonlinear] = &[
     },
 ];
 
-/// What was found of a scene with a method.
+/// Findings of a scene with a method.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Limit {
     /// The kernel's smallest step as c dt / min(h), c the wave speed at rest.
@@ -171,7 +171,7 @@ pub struct Limit {
     pub energy: f64,
     /// Steps over the kernel's.
     pub measured: MeasuredLimit,
-    /// Why the run at the kernel's steps ended, or else that at [`MeasuredLimit::unstable`], where it was by an error.
+    /// Error that ended the run at the kernel's steps, or else the one at [`MeasuredLimit::unstable`], if any.
     pub refusal: Option<String>,
 }
 
@@ -239,7 +239,7 @@ impl Nonlinear {
         })
     }
 
-    /// What must hold.
+    /// Gates of the scene.
     #[must_use]
     pub fn gate(&self, method: Method, limit: &Limit) -> Gate {
         let name = format!("{} {method}: energy at the kernel's step", self.name);
@@ -247,7 +247,7 @@ impl Nonlinear {
     }
 }
 
-/// What a run gave.
+/// Growth of a run.
 struct RunGrowth {
     /// Highest energy that was seen \[J\].
     energy: f64,

@@ -27,7 +27,7 @@ const MOST_VECTORS: usize = 120;
 const MEMORY: usize = 1 << 30;
 /// Eigenvalue, for steps of a Courant number of one, that is nothing but round-off.
 const ROUND_OFF: f64 = 1e-10;
-/// What may be left of a system that is solved, relative.
+/// Residual of a system that counts as solved, relative.
 const SOLVED: f64 = 1e-7;
 /// Iterations after which a system that is not solved will never be: each leaves 0.17 of the error.
 const MOST_ITERATIONS: usize = 60;
@@ -39,7 +39,7 @@ pub struct Limit {
     pub dt: f64,
     /// c dt / min(h).
     pub courant: f64,
-    /// What becomes unstable first.
+    /// Part that becomes unstable first.
     pub ruler: Ruler,
 }
 
@@ -52,7 +52,7 @@ pub struct Ruler {
     pub name: String,
     /// Identifier of the particle.
     pub particle: u64,
-    /// Where it is \[m\].
+    /// Place of it \[m\].
     pub position: Vector,
     /// The node next to it \[m\].
     pub node: Vector,

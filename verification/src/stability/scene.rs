@@ -14,10 +14,10 @@ use crate::settings::Method;
 pub const MOST_PARTICLES: usize = 20_000;
 /// Bodies up to which each is left out once.
 const MOST_BODIES: usize = 12;
-/// What an alternative must allow more to be worth a line.
+/// Factor that an alternative must allow to be worth a line.
 const WORTH: f64 = 1.02;
 
-/// What was found of a scene.
+/// Findings of a scene.
 #[derive(Clone, Debug)]
 pub struct Report {
     /// Method of the scene.
@@ -30,9 +30,9 @@ pub struct Report {
     pub dt: f64,
     /// The kernel's own bound \[s\].
     pub critical: f64,
-    /// What decided its step.
+    /// Bound that decided its step.
     pub bound: Bound,
-    /// What would allow a larger step, the largest first; `None` where the scene is too large to try.
+    /// Alternatives that would allow a larger step, the largest first; `None` where the scene is too large to try.
     pub alternatives: Option<Vec<Alternative>>,
     /// Growth of a start in the tension that the scene will have; `None` where it will have none.
     pub tension: Option<TensionReport>,
@@ -41,7 +41,7 @@ pub struct Report {
 /// A change, and the step that it would allow.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Alternative {
-    /// What is changed.
+    /// Setting that is changed.
     pub what: String,
     /// Predicted time step \[s\]; infinite where nothing could become unstable.
     pub dt: f64,

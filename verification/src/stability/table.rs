@@ -26,16 +26,16 @@ pub struct Number {
     /// Smallest Courant number at which any body becomes unstable: the prediction for those that are one particle thick and
     /// for single particles, and what was measured with particles on nodes.
     pub any: f64,
-    /// What the kernel is to take.
+    /// Number that the kernel should take.
     pub number: f64,
-    /// What it takes.
+    /// Number that it takes.
     pub held: f64,
 }
 
-/// What the number that is held is worth.
+/// Quality of the number that is held.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Worth {
-    /// As it should be.
+    /// The right number.
     Right,
     /// A body can be unstable with it.
     Unstable,
@@ -78,7 +78,7 @@ impl Number {
         }
     }
 
-    /// What the number that is held is worth, by a measure taken anew.
+    /// Quality of the number that is held, by a measure taken anew.
     #[must_use]
     pub fn worth(&self) -> Worth {
         if self.held > largest(self.thick, self.any) {
@@ -119,7 +119,7 @@ fn weightings() -> impl Iterator<Item = Weighting> {
         .filter(|weighting| !matches!(weighting, Weighting::ContiguousGimp(_)))
 }
 
-/// Whether the kernel has a number for each size of particles.
+/// True if the kernel has a number for each size of particles.
 fn by_size(weighting: Weighting) -> bool {
     weighting == Weighting::UniformGimp
 }

@@ -7,7 +7,7 @@ use proctor_verification::cases::IRONING;
 use proctor_verification::sensitivity::{Reaction, reactions};
 use std::path::Path;
 
-/// What the whole ladder should give: the figures themselves, and no error.
+/// Figures of the whole ladder: the figures themselves, and no error.
 fn figures() -> Vec<(Rung, RungResult)> {
     let of = |rung: &Rung| -> [f64; 3] {
         let figures = if rung.variant.contains("friction") {

@@ -40,14 +40,14 @@ fn ends(specimen: &Specimen, strain: f64) -> (State, State) {
     (last, rate)
 }
 
-/// How far a state is beyond a cone.
+/// Distance of a state beyond a cone.
 fn beyond_cone([eta, limit, _]: [f64; 3], s: [f64; 3]) -> f64 {
     let mean = (s[0] + s[1] + s[2]) / 3.0;
     let second: f64 = s.iter().map(|s| 0.5 * (s - mean) * (s - mean)).sum();
     second.sqrt() + eta * mean - limit
 }
 
-/// How far principal stresses are beyond a pyramid.
+/// Distance of principal stresses beyond a pyramid.
 fn beyond_pyramid([friction, cohesion, _]: [f64; 3], mut s: [f64; 3]) -> f64 {
     s.sort_by(f64::total_cmp);
     let (sine, cosine) = friction.to_radians().sin_cos();

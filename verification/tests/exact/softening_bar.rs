@@ -10,7 +10,7 @@ const BAR: SofteningBar = SofteningBar {
     opening: 0.04,
 };
 
-/// What is put in by the end until the band has parted is what the band takes: the bar has given back what it stored.
+/// The band takes the work of the end until it has parted: the bar has given back its stored energy.
 #[test]
 fn the_work_at_the_end_is_the_fracture_energy() {
     let n = 200_000;

@@ -69,7 +69,7 @@ fn turns_add_up_and_keep_invariants() {
     assert_relative_eq!(length([1.0, 2.0, 2.0, 0.0, 0.0, 0.0]), 3.0);
 }
 
-/// What a small turn adds keeps its digits: a - a³/6 beside the diagonal, and -a²/2 + a⁴/24 on it.
+/// The change by a small turn keeps its digits: a - a³/6 beside the diagonal, and -a²/2 + a⁴/24 on it.
 #[test]
 fn a_small_turn_keeps_its_digits() {
     let a = 1e-6;

@@ -41,7 +41,7 @@ fn nominal(f: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
     })
 }
 
-/// What is left of the balance of momentum at a point with a body force (m/s²).
+/// Residual of the balance of momentum at a point with a body force (m/s²).
 fn residual(x: [f64; 2], t: f64, body_force: [f64; 2]) -> [f64; 2] {
     residual_of(&VORTEX, x, t, body_force)
 }

@@ -2,7 +2,7 @@
 
 use proctor_verification::stability::measured::{Class, MeasuredLimit, RANGE, bisect};
 
-/// How near to each other the ends of the range of a limit are.
+/// Largest ratio of the ends of the range of a limit.
 const NARROW: f64 = 1.02;
 
 fn found(limit: f64, guess: f64) -> MeasuredLimit {

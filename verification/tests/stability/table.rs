@@ -36,7 +36,7 @@ fn choice(
     }
 }
 
-/// Whether a number is safe, and how much of what would be safe it is.
+/// Safety of a number, and its share of the largest safe one.
 fn judge(choice: &Choice) -> f64 {
     let [thick, any] = found(choice);
     let held = choice.method.stability_number(choice.particles_per_cell);

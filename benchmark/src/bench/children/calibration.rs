@@ -29,7 +29,7 @@ pub(super) const STEPS: f64 = 40.0;
 pub(super) const VELOCITY: f64 = 1.0;
 pub(super) const GRAVITY: f64 = 9.81;
 
-/// What is known of a solver that was calibrated.
+/// Findings on a solver that was calibrated.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Calibration {
     /// Steps by which the velocities in a frame are ahead of its particles, where it has velocities: half a step behind
@@ -49,12 +49,12 @@ impl Calibration {
     }
 }
 
-/// Why a solver is not to be trusted.
+/// Reason for which a solver is not to be trusted.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Fault {
     /// It did not run, or left nothing that can be read.
     Run(String),
-    /// What its frames say is not what they mean.
+    /// Findings on frames that do not say what they mean.
     Found(Vec<Finding>),
 }
 
@@ -106,7 +106,7 @@ pub fn scene(axes: usize) -> Value {
     })
 }
 
-/// Has a solver run the free fall in a folder below `folder`, and judges what it left.
+/// Runs the free fall with a solver in a folder below `folder`, and judges its frames.
 ///
 /// # Errors
 /// That it did not run, or all that is wrong with its frames.
@@ -139,7 +139,7 @@ fn last_frame(out: &Path) -> Result<(Frame, Option<f64>), String> {
     Ok((frame, label))
 }
 
-/// That a solver left nothing.
+/// Message that a solver left nothing.
 pub(super) fn no_frame(out: &Path) -> String {
     format!("no .vtu frame below {}", out.display())
 }

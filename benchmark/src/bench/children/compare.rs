@@ -31,7 +31,7 @@ pub fn error(frame: &Frame, exact: &Exact, time: f64) -> Result<f64, String> {
     finite((wrong / right).sqrt(), "the exact solution does not move")
 }
 
-/// Whether two frames that know the times of their particles are of one time, to a hundredth of a step \[s\].
+/// True if two frames that know the times of their particles are of one time, to a hundredth of a step \[s\].
 ///
 /// # Errors
 /// The two times.

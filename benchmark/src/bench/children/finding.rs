@@ -23,9 +23,9 @@ const FALL: f64 = 1.5 / STEPS;
 pub enum Finding {
     /// Another number of particles.
     Particles {
-        /// As found.
+        /// Number found.
         found: usize,
-        /// As the scene has it.
+        /// Number in the scene.
         expected: usize,
     },
     /// Lengths in another unit.
@@ -57,7 +57,7 @@ pub enum Finding {
     Label {
         /// Steps by which the particles are ahead of it.
         ahead: f64,
-        /// What the configuration says.
+        /// Label of the configuration.
         declared: TimeLabel,
     },
     /// Another end than that of the scene.

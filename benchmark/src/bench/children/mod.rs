@@ -56,7 +56,7 @@ pub struct Job {
 pub struct Child {
     /// The executable.
     pub executable: Executable,
-    /// What it runs.
+    /// Job that it runs.
     pub job: Arc<Job>,
     /// Threads.
     pub threads: usize,
@@ -141,7 +141,7 @@ pub fn runs(config: &Config) -> Result<Vec<Child>, SceneError> {
     Ok(children)
 }
 
-/// Has an executable run the free fall: the row of the calibration, and what is known of it or why it is not to be
+/// Runs the free fall with an executable: the row of the calibration, and its findings or the reason for which it is not to be
 /// trusted.
 pub(crate) fn calibrate(
     executable: &Executable,
@@ -175,7 +175,7 @@ pub(crate) fn calibrate(
 }
 
 impl Job {
-    /// Where its exact solution comes from, if it has one.
+    /// Source of its exact solution, if it has one.
     #[must_use]
     pub fn exact_source(&self) -> Option<&'static str> {
         self.exact.as_ref().map(|(source, _)| *source)

@@ -38,7 +38,7 @@ pub fn is_endless(reason: &str) -> bool {
     ENDLESS.iter().any(|begin| reason.starts_with(begin))
 }
 
-/// What a process used.
+/// Resources that a process used.
 pub(super) struct ProcessUsage {
     pub spent: Spent,
     /// Largest resident size \[bytes\].

@@ -44,10 +44,10 @@ pub(crate) struct GuestScene {
 }
 
 impl GuestScene {
-    /// Of a problem.
+    /// Scene of a problem.
     ///
     /// # Errors
-    /// What of its scene no scene file can say.
+    /// If a scene file cannot hold a part of its scene.
     pub(crate) fn new(guest: &Guest) -> Result<Self, String> {
         let text = write(&guest.scene).map_err(|error| error.to_string())?;
         let scene = written(text.scene, &guest.scene);
@@ -65,10 +65,10 @@ impl GuestScene {
         })
     }
 
-    /// Has an executable run the scene in `folder`, results in a folder of its own there; the time of its process.
+    /// Runs the scene in `folder` with an executable, results in a folder of its own there; the time of its process.
     ///
     /// # Errors
-    /// Why it failed, with the last that it said.
+    /// If it fails, with its last output.
     pub(crate) fn run(
         &self,
         executable: &Executable,
@@ -95,7 +95,7 @@ impl GuestScene {
     /// Runs it once before it is timed, where its executable compiles its kernels for each scene.
     ///
     /// # Errors
-    /// Why it failed, with the last that it said.
+    /// If it fails, with its last output.
     pub(crate) fn warm_up(
         &self,
         executable: &Executable,
@@ -112,7 +112,7 @@ impl GuestScene {
     /// The frames that an executable left in `folder`, as the problem compares them; never none.
     ///
     /// # Errors
-    /// Why they cannot be compared, with the last that the executable said.
+    /// If they cannot be compared, with the last output of the executable.
     pub(crate) fn snapshots(
         &self,
         guest: &Guest,
@@ -136,7 +136,7 @@ impl GuestScene {
     /// The frames that lie in a folder, with times that mean what the label says; never none.
     ///
     /// # Errors
-    /// Why they cannot be compared.
+    /// If they cannot be compared.
     pub(crate) fn read(
         &self,
         guest: &Guest,

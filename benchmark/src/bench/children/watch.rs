@@ -6,12 +6,12 @@ use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// How often an interrupt is looked for: often enough for a person, too seldom to be measured.
+/// Interval at which an interrupt is looked for: short enough for a person, too long to be measured.
 const LOOK: Duration = Duration::from_millis(200);
 /// Time that a process has to end by itself after an interrupt, to write what it has.
 const GRACE: Duration = Duration::from_secs(5);
 
-/// Why a process came to its end.
+/// Reason for which a process came to its end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum EndCause {
     /// By itself, or by an interrupt.
@@ -22,8 +22,8 @@ pub(super) enum EndCause {
     Flooded,
 }
 
-/// Has a command start in a group of processes of its own, so that all that it starts can be ended together. An interrupt
-/// from a terminal does then not reach it; [`until_done`] hands it on.
+/// Starts a command in a group of processes of its own, so that all that it starts can be ended together. An interrupt from a
+/// terminal does then not reach it; [`until_done`] hands it on.
 #[cfg(unix)]
 pub(super) fn apart(command: &mut Command) {
     use std::os::unix::process::CommandExt;
@@ -84,7 +84,7 @@ pub(super) fn until_done<T>(
     })
 }
 
-/// How a group of processes is ended.
+/// Signal that ends a group of processes.
 #[derive(Clone, Copy)]
 enum Force {
     Interrupt,

@@ -1,4 +1,4 @@
-//! From raw keys to a configuration, collecting every problem on the way.
+//! Checks of a configuration: from raw keys, collecting every problem on the way.
 
 use super::raw::{OneOrMany, RawConfig};
 use super::scene::{Method, SceneChoice};

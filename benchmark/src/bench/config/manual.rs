@@ -19,7 +19,7 @@ use std::sync::Arc;
 /// Default number of particles, that of the manual's program.
 pub(super) const PARTICLES: usize = 150_000;
 
-/// What all tests share.
+/// Settings that all tests share.
 #[derive(Clone, Debug, PartialEq)]
 struct Global {
     size: Vector,

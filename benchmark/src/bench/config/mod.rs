@@ -1,6 +1,6 @@
 //! The configuration of measurements: a file, read like a scene file, into checked values.
 //!
-//! What is missing takes its default; [`Config::defaults`] says which did, for `--log`.
+//! A missing key takes its default; [`Config::defaults`] says which did, for `--log`.
 
 mod check;
 mod executables;
@@ -25,7 +25,7 @@ use std::time::Duration;
 /// Name of the configuration that is looked for where none is named (technical manual, section 19.3).
 pub const FILE: &str = "benchmark-configuration.json";
 
-/// What the command line asks for; it overrides the file.
+/// Options of the command line; they override the file.
 #[derive(Clone, Debug, Default)]
 pub struct CommandLineChoices {
     /// Numbers of threads; empty: as the file says.
@@ -47,7 +47,7 @@ pub struct Executable {
     pub folder: Option<PathBuf>,
     /// Time by the clock after which it is ended, with all processes that it started.
     pub timeout: Duration,
-    /// What the times of its frames mean.
+    /// Meaning of the times of its frames.
     pub time_label: TimeLabel,
     /// True if a run of each scene comes before the timed ones, in which it compiles its kernels.
     pub warm_up: bool,
@@ -82,7 +82,7 @@ impl Executable {
     }
 }
 
-/// What is to be measured.
+/// Plan of the measurement.
 #[derive(Debug)]
 pub struct Config {
     /// Scenes of whole steps.
@@ -101,7 +101,7 @@ pub struct Config {
     pub particle_steps: u64,
     /// Single stages that are measured.
     pub stages: Vec<Part>,
-    /// Whether they are measured in every scene rather than in the first.
+    /// True if they are measured in every scene rather than in the first.
     pub stages_everywhere: bool,
     /// The manual's tests of single stages.
     pub tests: Vec<ManualTest>,
@@ -109,7 +109,7 @@ pub struct Config {
     pub executables: Vec<Executable>,
     /// Keys that took their default, and which.
     pub defaults: Vec<String>,
-    /// What is accepted but worth saying.
+    /// Warnings of accepted settings.
     pub warnings: Vec<String>,
 }
 

@@ -217,7 +217,7 @@ pub(super) struct RawSolver {
     pub folder: Option<String>,
     /// Time by the clock after which it is ended [s]. Default: an hour.
     pub timeout: Option<f64>,
-    /// What the times of its frames mean. Default: the time of the particles.
+    /// Meaning of the times of its frames. Default: the time of the particles.
     pub time_label: Option<String>,
     /// True for a run of each scene before the timed ones. Default: false.
     pub warm_up: Option<bool>,

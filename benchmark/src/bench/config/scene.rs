@@ -22,9 +22,9 @@ pub enum SceneChoice {
 #[derive(Clone)]
 pub struct FileScene {
     path: PathBuf,
-    /// As its user wrote it.
+    /// Text as its user wrote it.
     text: String,
-    /// What it says, with absolute names of other files and without comments: it is handed to others, in other folders.
+    /// Text of the scene, with absolute names of other files and without comments: it is handed to others, in other folders.
     value: Value,
 }
 
@@ -76,7 +76,7 @@ impl SceneChoice {
         }
     }
 
-    /// Whether it can be made for a wanted number of particles.
+    /// True if it can be made for a wanted number of particles.
     #[must_use]
     pub fn scales(&self) -> bool {
         matches!(self, Self::BuiltIn(scene, _) if scene.particles.is_none())

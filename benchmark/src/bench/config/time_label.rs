@@ -1,6 +1,6 @@
 //! The meaning of the time of a frame.
 
-/// What a solver's time label of a frame says of the particles in it.
+/// Meaning of a solver's time label of a frame for the particles in it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum TimeLabel {
     /// The time of the particles.

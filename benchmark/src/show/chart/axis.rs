@@ -8,31 +8,31 @@ use serde::{Deserialize, Serialize};
 pub struct Axis {
     /// Quantity and unit.
     pub label: String,
-    /// How values are placed.
+    /// Scale of the values.
     pub scale: Scale,
-    /// How values are written.
+    /// Format of the values.
     pub format: Format,
 }
 
-/// How values are placed.
+/// Scale of the values.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Scale {
     /// Evenly.
     Linear,
-    /// By their logarithm.
+    /// Places by the logarithm.
     Log,
     /// Names at 0, 1, 2 ...; vertically the first is on top.
     Names(Vec<String>),
 }
 
-/// How values are written.
+/// Format of the values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Format {
-    /// As numbers; the exponent of very large and small ones stands at the label or as a power of ten.
+    /// Numbers; the exponent of very large and small ones stands at the label or as a power of ten.
     Number,
-    /// As per cent of one.
+    /// Per cent of one.
     Percent,
-    /// As a time given in seconds.
+    /// A time given in seconds.
     Seconds,
 }
 
@@ -49,7 +49,7 @@ pub struct Tick {
 #[derive(Clone, Debug, PartialEq)]
 pub struct AxisRange {
     scale: Scale,
-    /// How values are written.
+    /// Format of the values.
     pub format: Format,
     low: f64,
     high: f64,
@@ -238,7 +238,7 @@ fn trimmed(value: f64) -> String {
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
-/// Where a value lies on a scale; `None` where it has no place.
+/// Place of a value on a scale; `None` where it has no place.
 fn place(scale: &Scale, value: f64) -> Option<f64> {
     let at = match scale {
         Scale::Log => value.log10(),
@@ -263,7 +263,7 @@ impl AxisRange {
         self.high - self.low
     }
 
-    /// Whether the axis carries names.
+    /// True if the axis carries names.
     #[must_use]
     pub fn is_named(&self) -> bool {
         matches!(self.scale, Scale::Names(_))

@@ -1,4 +1,4 @@
-//! From a chart to SVG text.
+//! Drawing of a chart as SVG text.
 
 use super::axis::AxisRange;
 use super::legend::{self, dashes, look_of_point};
@@ -19,9 +19,9 @@ const BAR: f64 = 34.0;
 const BAR_ROOM: f64 = 1.12;
 /// Free space at the edges of the chart.
 const EDGE: f64 = 12.0;
-/// From the label of the vertical axis to the plot: the uppermost number may stand half its height above the plot.
+/// Distance from the label of the vertical axis to the plot: the uppermost number may stand half its height above the plot.
 const GAP: f64 = 11.0;
-/// How much wider bold letters are than plain ones.
+/// Width of bold letters over that of plain ones.
 const BOLD: f64 = 1.15;
 /// Size of the title.
 const TITLE: f64 = 16.0;
@@ -32,7 +32,7 @@ const STRIP: f64 = 24.0;
 /// Radius of a mark.
 const RADIUS: f64 = 4.6;
 
-/// Where everything stands.
+/// Places of all parts of the chart.
 struct Layout {
     x: AxisRange,
     y: AxisRange,

@@ -14,7 +14,7 @@ const SAMPLE: f64 = 34.0;
 /// Gap between entries.
 const GAP: f64 = 18.0;
 
-/// Where each entry stands, in a width of `most` from the origin, and the height of all.
+/// Places of the entries, in a width of `most` from the origin, and the height of all.
 pub fn arranged(entries: &[Entry], most: f64) -> (Vec<[f64; 2]>, f64) {
     let (mut x, mut row) = (0.0, 0);
     let mut places = vec![];

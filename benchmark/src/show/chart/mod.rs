@@ -20,7 +20,7 @@ use serde::{Deserialize, Serialize};
 /// A chart.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Chart {
-    /// What is shown; above the chart and for screen readers.
+    /// Title; above the chart and for screen readers.
     pub title: String,
     /// The same in a sentence or two, for screen readers: what can be seen.
     pub description: String,
@@ -32,9 +32,9 @@ pub struct Chart {
     pub series: Vec<Series>,
     /// Reference lines, behind everything else.
     pub guides: Vec<Guide>,
-    /// What the colours, marks and strokes mean.
+    /// Legend of the colours, marks and strokes.
     pub legend: Vec<Entry>,
-    /// Whether a length is the same along both axes, as in a drawing of bodies.
+    /// True if a length is the same along both axes, as in a drawing of bodies.
     #[serde(default, skip_serializing_if = "is_false")]
     pub equal: bool,
 }
@@ -53,18 +53,18 @@ pub struct Series {
     pub mark: Mark,
     /// Line from point to point; it is broken where a point has no value.
     pub stroke: Stroke,
-    /// How much it stands out.
+    /// Strength of the series.
     pub strength: Strength,
     /// Points, in the order in which the line joins them.
     pub points: Vec<Point>,
 }
 
-/// How much a series stands out from the others.
+/// Strength of a series beside the others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Strength {
     /// Steps back behind others, though its points can be read.
     Faint,
-    /// As usual.
+    /// The usual strength.
     Plain,
     /// Broad and pale, behind other series.
     Band,
@@ -78,25 +78,25 @@ pub struct Point {
     /// Along the vertical axis. A point without a value, such as a run that failed, is an open mark in a strip above
     /// the plot.
     pub y: Option<f64>,
-    /// What hovering shows: what it is, its values, and why it failed if it did.
+    /// Text that hovering shows: the sample, its values, and its failure if it failed.
     pub title: String,
 }
 
 /// A reference line with a label at its end.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Guide {
-    /// Where it begins, in values of the axes.
+    /// Start of the line, in values of the axes.
     pub from: [f64; 2],
-    /// Where it ends.
+    /// End of the line.
     pub to: [f64; 2],
-    /// What it shows.
+    /// Label of the line.
     pub label: String,
 }
 
 /// A line of the legend.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Entry {
-    /// What it means.
+    /// Label of the entry.
     pub label: String,
     /// Colour of the sample.
     pub colour: Colour,
@@ -106,7 +106,7 @@ pub struct Entry {
     pub stroke: Stroke,
     /// Strength of the sample.
     pub strength: Strength,
-    /// Whether the sample stands for points without a value.
+    /// True if the sample stands for points without a value.
     pub open: bool,
 }
 

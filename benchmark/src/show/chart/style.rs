@@ -49,16 +49,16 @@ pub enum Mark {
     Bar,
 }
 
-/// How points are joined.
+/// Stroke between points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Stroke {
     /// Not at all.
     None,
-    /// By a line.
+    /// A line.
     Solid,
-    /// By dashes.
+    /// Dashes.
     Dashed,
-    /// By dots.
+    /// Dots.
     Dotted,
     /// A dash and a dot.
     DashDotted,

@@ -13,7 +13,7 @@ const ASCII: usize = 95;
 const CELL: usize = 32;
 const ACROSS: usize = 19;
 const DOWN: usize = 6;
-/// Where a letter begins in its cell: the left end, and the base line.
+/// Origin of a letter in its cell: the left end, and the base line.
 const ORIGIN: [usize; 2] = [4, 23];
 
 /// Distance to the next letter in tenths of a pixel, for plain and for bold letters.

@@ -63,7 +63,7 @@ pub enum Item {
     Text {
         /// The words.
         text: String,
-        /// Where they stand: a point of the base line.
+        /// Place of the letters: a point of the base line.
         at: [f64; 2],
         /// The part of the text that is there.
         anchor: Anchor,

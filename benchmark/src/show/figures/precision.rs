@@ -107,7 +107,7 @@ pub fn error_against_time(studied: &CaseStudy, measure: usize) -> Chart {
     }
 }
 
-/// What the time is, of methods and of other solvers.
+/// Name of the time, of methods and of other solvers.
 fn time_words(studied: &CaseStudy, measure: usize) -> String {
     let words = studied.seconds_words();
     if studied.peers.is_empty() || measure > 0 {
@@ -202,7 +202,7 @@ fn point(studied: &CaseStudy, measure: usize, i: usize) -> Option<Point> {
     })
 }
 
-/// What the chart shows, in words.
+/// Description of the chart, in words.
 fn description(findings: &Findings, word: &str) -> String {
     let cheapest = |level: usize, name: &str| match findings.cheapest(level) {
         Some(line) => format!(

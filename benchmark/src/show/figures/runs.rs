@@ -96,7 +96,7 @@ fn groups(runs: &[(String, &RunHistory)]) -> Vec<Group> {
     groups
 }
 
-/// Where a column is drawn.
+/// Place of a column.
 struct Place {
     title: String,
     label: String,

@@ -1,4 +1,4 @@
-//! Where to draw the slopes of orders 1 and 2 beside logarithmic lines, clear of them.
+//! Places of the slopes of orders 1 and 2 beside logarithmic lines, clear of them.
 
 use crate::show::chart::{Guide, Series};
 

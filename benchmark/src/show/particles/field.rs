@@ -77,7 +77,7 @@ pub fn usual(frame: &Frame) -> Result<String, String> {
         .ok_or_else(|| "the frame holds positions alone, and no field".to_owned())
 }
 
-/// Where the numbers of a field come from.
+/// Source of the numbers of a field.
 enum Source {
     /// An array of one component.
     Scalar(String),

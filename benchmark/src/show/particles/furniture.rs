@@ -9,7 +9,7 @@ use crate::show::drawing::{Anchor, GRID, INK, Item, Rgb, TextSize, width};
 const PLOT: [f64; 2] = [880.0, 680.0];
 /// Smallest ones, of bodies that are long and thin.
 const LEAST: [f64; 2] = [260.0, 90.0];
-/// From the upper edge to the plot, from the plot to the lower edge, and from the left edge to the numbers.
+/// Distances from the upper edge to the plot, from the plot to the lower edge, and from the left edge to the numbers.
 const ABOVE: f64 = 80.0;
 const BELOW: f64 = 70.0;
 const EDGE: f64 = 16.0;

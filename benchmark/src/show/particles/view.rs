@@ -19,7 +19,7 @@ impl Default for View {
 }
 
 impl View {
-    /// From `AZIMUTH,ELEVATION` in degrees.
+    /// Parses `AZIMUTH,ELEVATION` in degrees.
     ///
     /// # Errors
     /// The accepted form.

@@ -9,7 +9,7 @@ use std::io::{self, Write};
 /// Columns of a terminal.
 const WIDTH: usize = 80;
 
-/// Which cases are open to other solvers with what each needs of them, and why the others are not.
+/// Lists the cases that are open to other solvers with the needs of each, and the reason for which the others are not.
 ///
 /// # Errors
 /// If `out` cannot be written.

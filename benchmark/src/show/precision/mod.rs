@@ -41,7 +41,7 @@ pub fn study(studied: &CaseStudy, all: bool, out: &mut dyn Write) -> io::Result<
     writeln!(out)
 }
 
-/// What the free fall said of each executable, before any case.
+/// Findings of the free fall on each executable, before any case.
 ///
 /// # Errors
 /// If `out` cannot be written.
@@ -61,13 +61,13 @@ pub fn calibrations(peers: &[Peer], out: &mut dyn Write) -> io::Result<()> {
     writeln!(out)
 }
 
-/// What a study says of one error.
+/// Summary of a study on one error.
 pub struct Summary {
     /// Lines by their cost, the best first.
     pub table: Table,
     /// Number of lines that the table leaves out.
     pub left_out: usize,
-    /// What is best for each level of error.
+    /// Best method for each level of error.
     pub best: Vec<String>,
 }
 
@@ -197,7 +197,7 @@ fn words(cost: Cost) -> String {
     }
 }
 
-/// Which combination is best for a level, and what that gains over the default.
+/// Best combination for a level, and its gain over the default.
 fn best(findings: &Findings, level: usize, name: &str) -> String {
     let Some(line) = findings.cheapest(level) else {
         return format!("{name}: not reached by any combination");
@@ -217,7 +217,7 @@ fn best(findings: &Findings, level: usize, name: &str) -> String {
     format!("{name}: best with {}, {time}; {gain}", line.method)
 }
 
-/// What there is to say of other solvers: what their lines mean, which of their runs failed, or why there are none.
+/// Notes on other solvers: the meaning of their lines, the failed runs, or the reason for which there are none.
 fn peers(studied: &CaseStudy, out: &mut dyn Write) -> io::Result<()> {
     if let Some(reason) = &studied.no_peers {
         return writeln!(out, "\n  not for other solvers: {reason}");

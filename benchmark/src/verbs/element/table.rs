@@ -7,12 +7,12 @@ use proctor_scene::{Location, Problem, SceneError};
 use proctor_verification::element::path::{Path as Steps, Row};
 use std::path::Path;
 
-/// What heads the column of times.
+/// Head of the column of times.
 const TIME: &str = "time";
 /// More problems than this say the same again.
 const MOST_PROBLEMS: usize = 10;
 
-/// What a column holds.
+/// Quantity of a column.
 #[derive(Clone, Copy, PartialEq)]
 enum Column {
     Time,

@@ -24,7 +24,7 @@ const BESIDE: usize = 16;
 /// A short table of a run.
 pub struct Report<'a> {
     pub summary: &'a Summary,
-    /// How often each bound ruled the time step.
+    /// Number of steps that each bound ruled.
     pub bounds: &'a BTreeMap<&'static str, u64>,
     /// Number of steps before the restart; zero without one.
     pub first_step: u64,
@@ -140,7 +140,7 @@ impl fmt::Display for Report<'_> {
 }
 
 impl Report<'_> {
-    /// How many times longer it took by the clock than on the processors, where that shows a busy machine.
+    /// Ratio of clock time to processor time, where it shows a busy machine.
     fn busy(&self) -> Option<f64> {
         let time = |seconds: Option<f64>| Duration::try_from_secs_f64(seconds?).ok();
         measure::busy([Spent {
@@ -186,7 +186,7 @@ impl Report<'_> {
     }
 }
 
-/// What is missing, and where it went: the channels that took something, and what none of them accounts for.
+/// Energy that is missing, by its destination: the channels that took some, and the rest that none of them accounts for.
 fn dissipated(e: &SummaryEnergy) -> Option<String> {
     let mut text = format!("{} J", number(e.dissipated?));
     let channels = [

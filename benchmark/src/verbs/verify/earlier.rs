@@ -38,12 +38,12 @@ impl Earlier {
         Ok(Self { record, size })
     }
 
-    /// Which ladders were run.
+    /// Size of the ladders that were run.
     pub fn size(&self) -> Size {
         self.size
     }
 
-    /// That it holds any case: of one that holds none nobody may conclude that nothing failed.
+    /// Checks that it holds any case: of one that holds none nobody may conclude that nothing failed.
     ///
     /// # Errors
     /// [`Failure::BadInput`] if it holds none.
@@ -58,7 +58,7 @@ impl Earlier {
         Ok(())
     }
 
-    /// Those of some cases that were asked for then, as far as the record knows, and ended in one of these ways.
+    /// Some cases that were asked for then, as far as the record knows, and ended in one of these ways.
     pub fn those(&self, cases: &[&'static Case], states: &[CaseState]) -> Vec<&'static Case> {
         let asked = self.record.cases_asked();
         let cases = cases.iter().copied();

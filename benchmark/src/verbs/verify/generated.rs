@@ -25,7 +25,7 @@ pub struct GeneratedChoices<'a> {
     pub threads: Option<usize>,
     /// Folder for scenes that violate their property.
     pub folder: &'a Path,
-    /// Where the result goes as JSON.
+    /// File of the result as JSON.
     pub json: Option<&'a Path>,
     /// A table beside the verdict.
     pub table: bool,
@@ -36,7 +36,7 @@ pub struct GeneratedChoices<'a> {
 struct Tally {
     scenes: u64,
     violations: u64,
-    /// Those beyond their bounds of which the plan warns.
+    /// Scenes beyond their bounds of which the plan warns.
     foreseen: u64,
     /// The largest share of a bound, with its distance, the bound and the scene.
     worst: Option<(f64, String, f64, f64, u64)>,
@@ -46,7 +46,7 @@ impl GeneratedChoices<'_> {
     /// Runs them.
     ///
     /// # Errors
-    /// Where a file cannot be written.
+    /// If a file cannot be written.
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
         if let Some(path) = self.json {
             write(path, &json!({}))?;

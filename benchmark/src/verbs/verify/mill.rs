@@ -38,7 +38,7 @@ pub struct Mill<'a> {
     pub threads: Option<usize>,
     /// Folder for problems that miss a gate.
     pub folder: &'a Path,
-    /// Where the result goes as JSON.
+    /// File of the result as JSON.
     pub json: Option<&'a Path>,
     /// A table beside the verdict.
     pub table: bool,
@@ -51,7 +51,7 @@ impl Mill<'_> {
     /// Runs them.
     ///
     /// # Errors
-    /// Where a file cannot be read or written.
+    /// If a file cannot be read or written.
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
         if let Some(path) = self.json {
             write(path, &json!({}))?;

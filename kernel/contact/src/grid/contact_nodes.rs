@@ -428,7 +428,7 @@ impl ContactNodes {
     }
 }
 
-/// From the first to the last node of a row that two fields use.
+/// Range from the first to the last node of a row that two fields use.
 fn shared_span(fields: &SlabFields<'_, '_, '_>, plane: usize, row: usize) -> Option<Range<usize>> {
     let span = |number: usize| fields.planes(number).rows.span(plane, row);
     (1..fields.count())

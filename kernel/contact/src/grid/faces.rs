@@ -87,7 +87,7 @@ impl<'s, 'a, 'b> SlabFields<'s, 'a, 'b> {
 }
 
 impl Faces {
-    /// Has surfaces for exactly these bodies of near pairs (indices in order of the identifier).
+    /// Makes surfaces for exactly these bodies of near pairs (indices in order of the identifier).
     pub(crate) fn set(
         &mut self,
         bodies: &[usize],

@@ -40,7 +40,7 @@ pub struct GridContact {
     pub(crate) shared: SharedContact,
     /// Surfaces of the bodies of near pairs.
     pub(crate) faces: Faces,
-    /// Where bodies met and what contact did there, per slab, as of the last equation of motion.
+    /// Nodes where bodies met and the action of contact there, per slab, as of the last equation of motion.
     pub(crate) met: Vec<SlabContactState>,
     /// Force on the slave of each pair in the last step \[N\].
     pub(crate) forces: Vec<Vector>,
@@ -233,7 +233,7 @@ impl Interaction for GridContact {
         pairs.map(|pair| [pair.master, pair.slave]).collect()
     }
 
-    /// Has surfaces for the bodies of near pairs, in order of the identifier.
+    /// Makes surfaces for the bodies of near pairs, in order of the identifier.
     fn fields_given(&mut self, view: &StepView<'_>) {
         let mut bodies = self.owners();
         bodies.sort_by_key(|&i| view.bodies[i].id);

@@ -282,7 +282,7 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
         Ok(())
     }
 
-    /// Where edges of a pair meet within the critical gap, and their distance \[m\].
+    /// Place where edges of a pair meet within the critical gap, and their distance \[m\].
     pub(super) fn edges_that_meet(&self, p: usize) -> Option<(PointIn<D>, f64)> {
         let pair = &self.pairs[p];
         let [slave, master] = [pair.slave, pair.master].map(|s| &self.surfaces[s].boundary);

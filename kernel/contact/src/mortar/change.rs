@@ -9,7 +9,7 @@ use crate::values::MortarContact;
 use proctor_kernel::simulation::BodyRun;
 
 impl MortarState {
-    /// Has the boundary of a body, if it has one, move as the body does now: with its nodes or as prescribed.
+    /// Moves the boundary of a body, if it has one, as the body moves now: with its nodes or as prescribed.
     pub(super) fn set_carrier(&mut self, body: &BodyRun, index: usize) {
         let boundaries = &self.given.boundaries;
         let Some(given) = boundaries.iter().find(|given| given.body == body.id) else {

@@ -33,7 +33,7 @@ pub enum MortarError {
     EdgesMeet {
         /// Identifiers of master and slave.
         bodies: [i64; 2],
-        /// Where on the edge of the slave \[m\].
+        /// Place on the edge of the slave \[m\].
         position: [f64; 3],
         /// Distance of the edges, negative when past each other \[m\].
         distance: f64,
@@ -44,7 +44,7 @@ pub enum MortarError {
         body: i64,
         /// Number of the vertex, from 0.
         vertex: usize,
-        /// Where it is \[m\].
+        /// Place of the vertex \[m\].
         position: [f64; 3],
     },
 }

@@ -144,7 +144,7 @@ impl<B, const D: usize, const N: usize> MovingBoundary<B, D, N> {
     }
 }
 
-/// Where particles end along an axis, in order \[m\].
+/// Ends of the particles along an axis, in order \[m\].
 fn ends_along(set: &ParticleSet, axis: usize, half_length: f64) -> Vec<f64> {
     let places = set.columns[Layout::POSITION + axis][..set.len()].iter();
     let mut ends: Vec<f64> = places

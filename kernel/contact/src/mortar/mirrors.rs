@@ -18,7 +18,7 @@ pub(super) struct Mirrors {
 }
 
 impl Mirrors {
-    /// Those of a mesh; a moving base is fixed to the plane that it moves.
+    /// Mirrors of a mesh; a moving base is fixed to the plane that it moves.
     pub(super) fn of(settings: &CycleSettings) -> Self {
         let mut planes = settings.mesh.planes;
         if let Some(base) = &settings.base_motion {

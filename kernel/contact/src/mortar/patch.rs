@@ -11,7 +11,8 @@ use proctor_kernel::simulation::history_value;
 pub(super) struct Patch<const D: usize, const N: usize> {
     /// Augmented weights; of a vertex that contact presses on those of the face, where the nodes bear them.
     pub(super) weights: VertexWeights<D, N>,
-    /// With weights of the face, from the mean place of the nodes by them to the vertex \[m\]; zero where all nodes bear them.
+    /// Distance, with weights of the face, from the mean place of the nodes by them to the vertex \[m\]; zero where all nodes
+    /// bear them.
     pub(super) off: Option<PointIn<D>>,
     /// Masses of the nodes \[kg\].
     pub(super) masses: [f64; N],
@@ -20,7 +21,7 @@ pub(super) struct Patch<const D: usize, const N: usize> {
 }
 
 impl<const D: usize, const N: usize> Patch<D, N> {
-    /// Of no vertex.
+    /// Patch of no vertex.
     pub(super) const NOWHERE: Self = Self {
         weights: VertexWeights::NOWHERE,
         off: None,

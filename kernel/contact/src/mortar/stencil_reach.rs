@@ -85,7 +85,7 @@ pub(super) struct StencilReach<const D: usize> {
 }
 
 impl<const D: usize> StencilReach<D> {
-    /// That of a particle of a set where it is now.
+    /// Reach of a particle of a set where it is now.
     pub(super) fn of(
         (set, p): (&ParticleSet, usize),
         mapping: &Mapping,
@@ -114,7 +114,7 @@ impl<const D: usize> StencilReach<D> {
         }
     }
 
-    /// That of no particle, for [`StencilReaches`] to write over.
+    /// Reach of no particle, for [`StencilReaches`] to write over.
     pub(super) const NOWHERE: Self = Self {
         base: 0,
         mirrored: false,
@@ -220,7 +220,7 @@ impl<const D: usize> StencilReach<D> {
 pub(super) struct StencilReaches<'a, const D: usize> {
     /// The particles of a set.
     pub(super) particles: &'a [usize],
-    /// Where they are.
+    /// Particles that it belongs to.
     pub(super) set: &'a ParticleSet,
     /// Their view of the grid.
     pub(super) mapping: &'a Mapping,

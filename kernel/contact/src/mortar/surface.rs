@@ -63,7 +63,7 @@ pub(crate) struct MovingBoundary<B, const D: usize, const N: usize> {
     pub(crate) moved: Vec<PointIn<D>>,
     /// Velocity of the vertices at the beginning of this step \[m/s\].
     pub(super) velocity: Vec<PointIn<D>>,
-    /// By how much that changes in the longest next step where nothing touches the vertices \[m/s\].
+    /// Change of it in the longest next step where nothing touches the vertices \[m/s\].
     pub(super) kick: Vec<PointIn<D>>,
     /// Contact force on the vertices in this step \[N\].
     pub(super) force: Vec<PointIn<D>>,
@@ -71,7 +71,7 @@ pub(crate) struct MovingBoundary<B, const D: usize, const N: usize> {
     pub(super) on_face: Vec<bool>,
     /// Elements of those vertices, each with the axis that it lies across.
     pub(super) faces: Vec<(usize, usize)>,
-    /// Of each vertex, how much of the weights of the face it has in this step.
+    /// Share of the weights of the face that each vertex has in this step.
     pub(super) flat: Vec<f64>,
     /// Contact presses on one of them in this step.
     pub(super) pressed: bool,

@@ -82,8 +82,8 @@ impl<B, const D: usize, const N: usize> MovingBoundary<B, D, N> {
         self.tied.as_ref().filter(|_| stays(&self.carrier))
     }
 
-    /// Has the vertices where the material is; finds what their particles reach, their velocities, and by how much these
-    /// change by `kick` \[s\] where nothing touches them.
+    /// Moves the vertices to where the material is; finds the nodes that their particles reach, their velocities, and the
+    /// change of these by `kick` \[s\] where nothing touches them.
     ///
     /// # Errors
     /// The first vertex without particles that span all directions around it.

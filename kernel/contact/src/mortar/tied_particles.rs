@@ -21,7 +21,7 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 pub(super) struct TiedParticles<const D: usize> {
     pub(super) ties: Arc<VertexTies<D>>,
-    /// Where the tied particles are in their set.
+    /// Places of the tied particles in their set.
     pub(super) places: Vec<Option<usize>>,
     /// Nodes that they reach, as of the last mapping; empty where vertices follow otherwise.
     pub(super) reached: Vec<StencilReach<D>>,
@@ -44,13 +44,13 @@ pub(super) struct TieLists<const D: usize> {
     pub(super) stiffness: Stiffness<D>,
 }
 
-/// Those of [`TiedParticles::stiffen`].
+/// Memory of [`TiedParticles::stiffen`].
 #[derive(Clone, Debug, Default)]
 pub(super) struct Stiffness<const D: usize> {
     /// The nodes that pressed vertices reach, and the weights of one vertex on them.
     pub(super) reached: Vec<usize>,
     pub(super) weights: Vec<PointIn<D>>,
-    /// Those of one vertex.
+    /// Nodes of one vertex.
     pub(super) touched: Vec<usize>,
     /// The sizes of the weights of each pressed vertex, by the places of the nodes.
     pub(super) sizes: Vec<(usize, f64)>,

@@ -36,7 +36,7 @@ pub(super) struct VertexTies<const D: usize> {
     first: u64,
     /// Number among the tied particles of each particle of the body, by its identifier.
     numbers: Vec<u32>,
-    /// Where the tied particles were at the start, relative to the mesh \[m\].
+    /// Places of the tied particles at the start, relative to the mesh \[m\].
     start: Vec<PointIn<D>>,
     list: Vec<VertexTie<D>>,
     /// The ties of each vertex; none where the particles around it do not span all directions.
@@ -159,8 +159,8 @@ impl<const D: usize> VertexTies<D> {
         }
     }
 
-    /// Where each tied particle is in its set now, `None` for those that were removed. `places` is what was found before:
-    /// nothing is searched as long as it holds.
+    /// Finds the place of each tied particle in its set now, `None` for those that were removed. `places` is what was found
+    /// before: nothing is searched as long as it holds.
     pub(super) fn find(&self, set: &ParticleSet, places: &mut Vec<Option<usize>>) {
         let number = |p: usize| {
             let at = set.id.get(p)?.checked_sub(self.first)? as usize;

@@ -50,7 +50,7 @@ pub(super) struct VertexWeighting<'a, const D: usize> {
 }
 
 impl<'a, const D: usize> VertexWeighting<'a, D> {
-    /// That of a body; `None` where it has no field of its own.
+    /// Weights of a body; `None` where it has no field of its own.
     pub(super) fn of(view: &StepView<'a>, index: usize) -> Option<Self> {
         let field = view.grid.own_field(index)?;
         let body = &view.bodies[index];

@@ -73,10 +73,10 @@ pub struct BoundaryDrift {
 impl MortarState {
     /// The vertex that drifted farthest off its body, of those of bodies that move freely; `None` where there is none.
     ///
-    /// Where the material says that a vertex is follows from the particles that were around it at the start, by weights that
-    /// reproduce every affine field ([`affine_weights`](crate::geometry::mortar::tie::affine_weights)): in a rigid motion, rotations
-    /// included, and in a uniform strain, however large, a vertex that goes with its body has no drift. Where the strain
-    /// varies, that place is known up to the second order in the size of a cell.
+    /// Place of a vertex in the material, from the particles that were around it at the start, by weights that reproduce every
+    /// affine field ([`affine_weights`](crate::geometry::mortar::tie::affine_weights)): in a rigid motion, rotations included,
+    /// and in a uniform strain, however large, a vertex that goes with its body has no drift. Where the strain varies, that
+    /// place is known up to the second order in the size of a cell.
     #[must_use]
     pub fn boundary_drift(&self, view: &StepView<'_>) -> Option<BoundaryDrift> {
         let h = view.smallest_cell();
@@ -218,8 +218,8 @@ impl<B: Elements<D, T>, const D: usize, const N: usize, const T: usize> Boundari
     }
 }
 
-/// For each vertex of a slave the site that speaks for it, with what is seen there: of the sides of a corner the one that
-/// is pressed most.
+/// Site of each vertex of a slave that decides for it, with its gap and pressure: of the sides of a corner the one that is
+/// pressed most.
 fn loudest<const D: usize, const T: usize>(
     forces: &PairForces<D, T>,
     vertices: usize,

@@ -20,7 +20,7 @@ const FLAT: f64 = 1e-12;
 /// Particles of a pair near a node, relative to it \[m\].
 #[derive(Clone, Debug, Default)]
 pub struct Cloud {
-    /// Those of the master and those of the slave.
+    /// Particles of the master and those of the slave.
     pub points: [Vec<Vector>; 2],
 }
 
@@ -61,14 +61,14 @@ impl Cloud {
         Some(way)
     }
 
-    /// By how much a direction separates the particles \[m\]; negative where it does not.
+    /// Distance by which a direction separates the particles \[m\]; negative where it does not.
     #[must_use]
     pub fn margin(&self, normal: &Vector) -> f64 {
         self.nearest_along(normal)
             .map_or(f64::NEG_INFINITY, |between| dot(&between, normal))
     }
 
-    /// From the middle of the particles of the master to that of the slave \[m\].
+    /// Vector from the middle of the particles of the master to that of the slave \[m\].
     #[must_use]
     pub fn between_middles(&self) -> Vector {
         let middle = |points: &[Vector], axis: usize| {

@@ -130,7 +130,7 @@ pub struct Probe {
     pub farthest: f64,
     /// The first particle that lies so far, relative to the node \[m\].
     pub extreme: Vector,
-    /// By what the particle was chosen: its reach less a share of its distance from the line through the node.
+    /// Rank by which the particle was chosen: its reach less a share of its distance from the line through the node.
     rank: f64,
 }
 

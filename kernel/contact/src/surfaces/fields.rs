@@ -64,7 +64,7 @@ impl<'a> Fields<'a> {
 }
 
 impl<'a> Fields<'a> {
-    /// Those of a step.
+    /// Fields of a step.
     pub(super) fn of_step(view: &StepView<'a>) -> Self {
         Self {
             grid: view.grid,

@@ -20,7 +20,7 @@ pub(super) struct NearParticles {
     shifts: Vec<Vector>,
     /// Motion of each rigid obstacle in this step: found once, not for each particle.
     pub(super) now: Vec<RigidMotion>,
-    /// Of one body, while the list is made: the triangle nearest to each particle, and those of them that are near, by
+    /// For one body, while the list is made: the triangle nearest to each particle, and those of them that are near, by
     /// identifier.
     nearest: Vec<Option<usize>>,
     by_id: Vec<(u64, usize)>,
@@ -36,7 +36,7 @@ pub(super) struct RigidMotion {
 }
 
 impl NearParticles {
-    /// Has the list made anew when it is next asked for.
+    /// Makes the list anew when it is next asked for.
     pub(super) fn forget(&mut self) {
         self.margin = None;
     }

@@ -72,7 +72,7 @@ impl SurfaceObstacle {
 pub(super) struct DrivenObstacle {
     /// Place of the body in the scene.
     pub(super) body: usize,
-    /// That of its partner.
+    /// Field of its partner.
     pub(super) partner: usize,
     /// The pair.
     pub(super) pair: Pair,

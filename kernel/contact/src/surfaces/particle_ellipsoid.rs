@@ -11,9 +11,9 @@ pub(super) fn reach(half: &Vector, normal: &Vector) -> f64 {
     length(&std::array::from_fn(|axis| half[axis] * normal[axis]))
 }
 
-/// Where the ellipsoid with these half-lengths touches a surface, from its centre \[m\]. Of a particle that is pressed together
-/// to less than half of it the point comes nearer to the centre, and ends there: so no strain brings a centre through a
-/// surface. For less strain it stays where a row of particles ends that a wall presses on.
+/// Point where the ellipsoid with these half-lengths touches a surface, from its centre \[m\]. Of a particle that is pressed
+/// together to less than half of it the point comes nearer to the centre, and ends there: so no strain brings a centre through
+/// a surface. For less strain it stays where a row of particles ends that a wall presses on.
 pub(super) fn touching_point(half: &Vector, nearest: &NearestPoint) -> Vector {
     let normal = &nearest.normal;
     let reach = reach(half, normal);

@@ -7,8 +7,8 @@ use proctor_kernel::simulation::{NodalConditions, NodeWeights};
 use proctor_kernel::stage::solve::Wall;
 use std::ops::Range;
 
-/// Where a node stands in the list of reached nodes, by field and node. Of an earlier list nothing is cleared: an entry holds
-/// the number of the list that it belongs to.
+/// Place of a node in the list of reached nodes, by field and node. Of an earlier list nothing is cleared: an entry holds the
+/// number of the list that it belongs to.
 #[derive(Clone, Debug, Default)]
 pub(super) struct NodeNumbers {
     list: u32,

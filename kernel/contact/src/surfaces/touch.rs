@@ -18,12 +18,12 @@
 //! contact dynamics). A sweep changes nothing else than the impulses, so momentum balances after every sweep; a
 //! residue is an error of the gap, never of the balance.
 //!
-//! Why not the correction of the particle velocity that the technical manual has (algorithm 2, line 14): positions
-//! and strains follow the nodes, which do not know of it; what the surface carries is then never a force at the nodes,
-//! and a body at rest sinks with a speed of the order g dt. And why not a condition on the nodes beyond the surface:
-//! a node knows the surface to a cell, and a body that slides over a tilted one meets a staircase of nodes that come
-//! and go. Here a block on a plane at 30 degrees to the grid keeps its lowest particles on the plane to 3e-5 of a
-//! cell, and without friction slides as it should to round-off.
+//! The correction of the particle velocity that the technical manual has (algorithm 2, line 14) is not used: positions and
+//! strains follow the nodes, which do not know of it; the load of the surface is then never a force at the nodes, and a body at
+//! rest sinks with a speed of the order g dt. And why not a condition on the nodes beyond the surface: a node knows the surface
+//! to a cell, and a body that slides over a tilted one meets a staircase of nodes that come and go. Here a block on a plane at
+//! 30 degrees to the grid keeps its lowest particles on the plane to 3e-5 of a cell, and without friction slides as it should
+//! to round-off.
 //!
 //! Left out: a particle touches the nearest triangle alone, so in a groove that is narrower than a particle the second
 //! flank is met a step later. An undamped body that starts to slide keeps ringing; while it rings faster than it

@@ -28,7 +28,7 @@ pub struct ContactValues {
 }
 
 impl ContactValues {
-    /// Those of contact on the grid.
+    /// Values of contact on the grid.
     #[must_use]
     pub fn pairs(&self) -> PairValues {
         let mortar = self.mortar.contacts.iter();

@@ -25,7 +25,7 @@ pub struct Mortar {
 pub struct BodyBoundary {
     /// Identifier of the body.
     pub body: i64,
-    /// Where the vertices are at the start.
+    /// Vertices at the start.
     pub vertices: Vertices,
     /// The way in which they follow.
     pub follow: FollowMode,
@@ -35,7 +35,7 @@ pub struct BodyBoundary {
 /// nothing can touch them.
 #[derive(Clone, Debug)]
 pub enum Vertices {
-    /// On the shape of the body, no further apart than this length \[m\].
+    /// Vertices on the shape of the body, no further apart than this length \[m\].
     Spacing(f64),
     /// Polylines, in the coordinates of the scene (2D).
     Given(Vec<Chain>),

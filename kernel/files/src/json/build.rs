@@ -18,9 +18,9 @@ pub(super) struct Build<'a> {
     /// Identifiers of bodies that were divided into parts.
     pub divided_bodies: Vec<i64>,
     problems: Vec<Problem>,
-    /// Which of them say of a word or a choice that it is none, whatever else is in the scene.
+    /// Indices of those that refuse a word or a choice as unknown, whatever else is in the scene.
     of_words: Vec<usize>,
-    /// How paths of the checked scene are spelt in the file, where that differs.
+    /// Spellings of paths of the checked scene in the file, where they differ.
     spellings: Vec<(String, String)>,
     /// Paths that hold a stand-in, about which the check is not to speak.
     stand_ins: Vec<String>,
@@ -199,7 +199,7 @@ impl<'a> Build<'a> {
         value.map_or([0.0; 3], |value| self.components(path, value))
     }
 
-    /// As many components as there are axes, the rest zero; NaN if there are more or fewer.
+    /// Checks that there are as many components as axes, the rest zero; NaN if there are more or fewer.
     pub fn components(&mut self, path: &str, value: &[f64]) -> Vector {
         if self.length(path, value, self.dimension.axes()) {
             std::array::from_fn(|axis| value.get(axis).copied().unwrap_or(0.0))
@@ -208,7 +208,7 @@ impl<'a> Build<'a> {
         }
     }
 
-    /// Whether a list has the length that it should have.
+    /// Checks the length of a list.
     pub fn length<T: std::fmt::Debug>(&mut self, path: &str, list: &[T], length: usize) -> bool {
         if list.len() == length {
             return true;
@@ -310,7 +310,7 @@ pub(super) fn join(parent: &str, key: &str) -> String {
     }
 }
 
-/// Whether `path` is `prefix` or lies below it.
+/// True if `path` is `prefix` or lies below it.
 pub(super) fn reaches(prefix: &str, path: &str) -> bool {
     path.strip_prefix(prefix)
         .is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))

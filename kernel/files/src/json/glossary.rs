@@ -11,9 +11,9 @@ use super::keys::RawScene;
 /// Objects of the same kind in a scene file, such as all bodies, and the keys that they may have.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KeyBlock {
-    /// Where they are: `mesh.boundary_conditions`; empty for the top of a scene.
+    /// Path of the keys: `mesh.boundary_conditions`; empty for the top of a scene.
     pub path: String,
-    /// What they are, in sentences.
+    /// Meaning of the keys, in sentences.
     pub meaning: String,
     /// Their keys, sorted by name.
     pub keys: Vec<Key>,
@@ -24,38 +24,38 @@ pub struct KeyBlock {
 pub struct Key {
     /// Its name.
     pub name: String,
-    /// What it is, in sentences.
+    /// Meaning of the key, in sentences.
     pub meaning: String,
-    /// What kind of value it has: `a number`, `a list of numbers`, ...
+    /// Kind of its value: `a number`, `a list of numbers`, ...
     pub kind: String,
     /// SI unit of its numbers, where they have one.
     pub unit: Option<String>,
-    /// Where its number, or each number of its list, must lie.
+    /// Range of its number, or of each number of its list.
     pub range: Range,
     /// The values that it may have, or those of its list, where there are only these.
     pub words: Vec<Value>,
-    /// What holds where the key is missing.
+    /// Value if the key is missing.
     pub default: KeyDefault,
-    /// What else must be in the scene for the key to mean something.
+    /// Keys that must be in the scene for this one to have a meaning.
     pub needs: Option<String>,
     /// The key of which this is another spelling.
     pub also: Option<String>,
-    /// Whether its text names a file, relative to the folder of the scene.
+    /// True if its text names a file, relative to the folder of the scene.
     pub is_file: bool,
     /// Values that it may have.
     pub examples: Vec<Value>,
 }
 
-/// What holds where a key is missing.
+/// Value that holds where a key is missing.
 #[derive(Clone, Debug, PartialEq)]
 pub enum KeyDefault {
     /// The key must be there.
     Needed,
-    /// As if the key had this value.
+    /// This value, as if the key had it.
     Value(Value),
-    /// In words.
+    /// A sentence.
     Words(String),
-    /// That of the key of which this is another spelling.
+    /// The default of the key of which this is another spelling.
     OfOther,
 }
 
@@ -84,7 +84,7 @@ impl Range {
         }
     }
 
-    /// Whether every number lies in it.
+    /// True if every number lies in it.
     #[must_use]
     pub fn is_everything(&self) -> bool {
         (self.low, self.high) == (Bound::Unbounded, Bound::Unbounded)
@@ -156,7 +156,7 @@ impl Key {
         }
     }
 
-    /// What its description in the schema says beside its meaning: an editor shows nothing else.
+    /// Text that its description in the schema adds to its meaning: an editor shows nothing else.
     fn more(&self) -> String {
         let mut more = String::new();
         // Writing into a text does not fail.
@@ -214,7 +214,7 @@ fn collect(path: &str, object: &Value, root: &Value, blocks: &mut Vec<KeyBlock>)
     }
 }
 
-/// What a reference of the schema stands for.
+/// Schema that a reference stands for.
 fn resolved<'a>(schema: &'a Value, root: &'a Value) -> &'a Value {
     let name = schema["$ref"].as_str().and_then(|r| r.rsplit('/').next());
     name.map_or(schema, |name| &root["$defs"][name])

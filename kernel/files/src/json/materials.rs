@@ -163,7 +163,7 @@ impl Build<'_> {
     }
 }
 
-/// What is accepted in the place of a key that only other laws have.
+/// Accepted keys in the place of one that only other laws have.
 fn not_given_or<'a>(key: &str, laws: impl Iterator<Item = &'a LawType>) -> String {
     let names: Vec<String> = laws.map(|law| format!("{:?}", law.name)).collect();
     format!("no `{key}`, or `type` {}", names.join(" or "))

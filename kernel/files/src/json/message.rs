@@ -1,4 +1,4 @@
-//! From an error of the JSON parser to a problem with path, place, what was found and what is accepted.
+//! Conversion of an error of the JSON parser to a problem with path, place, found and accepted values.
 
 use serde_json::error::Category;
 
@@ -10,7 +10,7 @@ use proctor_scene::Problem;
 /// Longest piece of the text that a message shows, in characters.
 const LONGEST_PIECE: usize = 40;
 
-/// What the parser says, as a problem.
+/// Message of the parser, as a problem.
 pub(super) fn problem(
     file: &str,
     text: &str,

@@ -14,7 +14,7 @@ pub struct SourceSpan {
     pub value: usize,
     /// End of the value.
     pub end: usize,
-    /// Whether it is the path itself; otherwise the nearest enclosing value that exists.
+    /// True if it is the path itself; otherwise the nearest enclosing value that exists.
     pub exact: bool,
 }
 

@@ -10,7 +10,7 @@ use crate::reading::{NotUtf8, read_to_string, stream_to_string};
 use proctor_scene::simulation::{SetupError, StepError, StepErrorKind};
 use proctor_scene::{Location, Problem, Scene, SceneError};
 
-/// What can stand where a scene is read.
+/// Text that can stand where a scene is read.
 const ACCEPTED: &str = "a scene in JSON that can be read";
 
 /// The text of a scene.
@@ -72,11 +72,11 @@ impl SceneSource {
     }
 }
 
-/// Where the values of a scene stand in its text.
+/// Places of the values of a scene in its text.
 #[derive(Clone, Debug)]
 pub struct SourceMap {
     source: SceneSource,
-    /// How paths of the checked scene are spelt in the text.
+    /// Spellings of paths of the checked scene in the text.
     spellings: Vec<(String, String)>,
     /// Names and identifiers.
     bodies: Vec<(String, i64)>,
@@ -85,7 +85,7 @@ pub struct SourceMap {
 }
 
 impl SourceMap {
-    /// Of a scene that was read from a text.
+    /// Source of a scene that was read from a text.
     pub(super) fn new(
         source: SceneSource,
         spellings: Vec<(String, String)>,
@@ -113,8 +113,8 @@ impl SourceMap {
         &self.source.name
     }
 
-    /// Why the scene cannot be set up, a line for each fault that begins with its file, line and column; with the file
-    /// alone where nothing in it is to blame.
+    /// Reasons for which the scene cannot be set up, a line for each fault that begins with its file, line and column; with the
+    /// file alone where nothing in it is to blame.
     #[must_use]
     pub fn of_setup(&self, error: &SetupError) -> String {
         if let SetupError::Overlap(all) = error {
@@ -146,7 +146,7 @@ impl SourceMap {
         self.told(&paths, &error.to_string())
     }
 
-    /// Why a step failed, with the place of the value that would have to be another, or with the file alone.
+    /// Reason for which a step failed, with the place of the value that would have to be another, or with the file alone.
     #[must_use]
     pub fn of_step(&self, error: &StepError) -> String {
         let paths = match &error.kind {
@@ -178,8 +178,8 @@ impl SourceMap {
         .to_string()
     }
 
-    /// What mortar contact calls by words of its own: a contact by its path, a rigid line or surface by its name, the
-    /// boundary of a body by the identifier.
+    /// Names in the words of mortar contact: a contact by its path, a rigid line or surface by its name, the boundary of a body
+    /// by the identifier.
     fn of_mortar(&self, path: &str) -> Vec<String> {
         let mut paths = vec![path.to_owned()];
         paths.extend(["rigid_line", "rigid_surface"].map(|key| format!("{key}.{path}")));
@@ -207,7 +207,7 @@ impl SourceMap {
         as_in_file(path, &self.spellings)
     }
 
-    /// What was said, behind the place of the first of these paths that is in the text.
+    /// Message behind the place of the first of these paths that is in the text.
     fn told(&self, paths: &[String], said: &str) -> String {
         let place = paths.iter().find_map(|path| self.place(path));
         match place {
@@ -226,7 +226,7 @@ impl SourceMap {
     }
 }
 
-/// What to say of a text that cannot be read; where its bytes are at fault with their place.
+/// Message for a text that cannot be read; with the place of its bytes where they are at fault.
 #[must_use]
 pub fn unreadable(name: &str, error: &io::Error, accepted: &str) -> SceneError {
     let not_text = (error.get_ref()).and_then(|inner| inner.downcast_ref::<NotUtf8>());

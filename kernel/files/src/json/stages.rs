@@ -25,7 +25,7 @@ pub struct Stage {
     pub name: String,
     /// The scene of the stage. All stages but the first begin from the end of the one before, by its name as a file.
     pub scene: Scene,
-    /// Where its values stand in the text.
+    /// Places of its values in the text.
     pub places: SourceMap,
 }
 

@@ -140,7 +140,7 @@ pub(super) const PLANES: Words<(usize, usize)> = &[
     ("Zn", (2, 1)),
 ];
 
-/// What a base record holds.
+/// Quantity of a base record.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Quantity {
     Acceleration,
@@ -248,7 +248,7 @@ pub(super) const FOLLOWS: Words<FollowMode> = &[
     ("material", FollowMode::Material),
 ];
 
-/// What a word means; upper and lower case are the same.
+/// Meaning of a word; upper and lower case are the same.
 pub(super) fn meaning<T: Copy>(word: &str, words: &[(&str, T)]) -> Option<T> {
     words
         .iter()

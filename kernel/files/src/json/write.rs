@@ -1,7 +1,7 @@
 //! A scene as the text of a scene file, for other programs.
 //!
-//! What is written is read back as the same scene. What the language has no word for, or what is not written yet, is refused
-//! by name.
+//! A written scene is read back as the same scene. What the language has no word for, or what is not written yet, is refused by
+//! name.
 
 use std::fmt;
 
@@ -27,10 +27,10 @@ pub struct SceneWriter {
     pub files: Vec<(String, String)>,
 }
 
-/// What of a scene is not written.
+/// Parts of a scene that are not written.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Omission {
-    /// What it is.
+    /// The part.
     pub what: String,
 }
 

@@ -76,8 +76,8 @@ fn sync_folder(folder: &Path) {
 #[derive(Clone, Debug)]
 pub struct OutputFolder {
     path: PathBuf,
-    /// What keeps other runs out as long as a copy of this is alive; the system lets go of it when the process ends, however
-    /// it ends.
+    /// Lock that keeps other runs out as long as a copy of this is alive; the system lets go of it when the process ends,
+    /// however it ends.
     _claim: Option<Arc<File>>,
 }
 
@@ -95,8 +95,8 @@ impl OutputFolder {
         Self::made(path.into(), |_| Ok(None))
     }
 
-    /// As [`OutputFolder::create`], for one run alone: nobody else can claim the folder as long as a copy of this is alive.
-    /// Where the file system knows no locks nobody is kept out.
+    /// Claims the folder as [`OutputFolder::create`] makes it, for one run alone: nobody else can claim it as long as a copy of
+    /// this is alive. Where the file system knows no locks nobody is kept out.
     ///
     /// # Errors
     /// As [`OutputFolder::create`], and [`OutputError::InUse`] if another run has claimed it.

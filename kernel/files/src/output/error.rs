@@ -4,7 +4,7 @@ use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Why output could not be written or taken up again. Every variant names the file.
+/// Error of output that could not be written or taken up again. Every variant names the file.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum OutputError {
@@ -12,14 +12,14 @@ pub enum OutputError {
     Folder {
         /// The folder asked for.
         path: PathBuf,
-        /// What the operating system said.
+        /// Error of the operating system.
         source: io::Error,
     },
     /// The output folder is there, but no file can be written into it.
     NotWritable {
         /// The folder asked for.
         path: PathBuf,
-        /// What the operating system said.
+        /// Error of the operating system.
         source: io::Error,
     },
     /// Another run writes into the output folder.
@@ -33,21 +33,21 @@ pub enum OutputError {
         path: PathBuf,
         /// Name of the first of them.
         first: String,
-        /// How many there are.
+        /// Number of them.
         count: usize,
     },
     /// A file could not be written; the file that was there before is untouched.
     Write {
         /// The file.
         path: PathBuf,
-        /// What the operating system said.
+        /// Error of the operating system.
         source: io::Error,
     },
     /// A file could not be read.
     Read {
         /// The file.
         path: PathBuf,
-        /// What the operating system said.
+        /// Error of the operating system.
         source: io::Error,
     },
     /// A file of an earlier run is not what this program writes.
@@ -56,7 +56,7 @@ pub enum OutputError {
         path: PathBuf,
         /// Line, counted from 1.
         line: usize,
-        /// What is wrong with it.
+        /// The fault.
         reason: String,
     },
     /// An array of a frame, or a row of the history, has the wrong number of values.
@@ -76,7 +76,7 @@ pub enum OutputError {
         path: PathBuf,
         /// The name.
         name: String,
-        /// Why not.
+        /// Reason of the refusal.
         reason: &'static str,
     },
     /// A time is not finite, or not later than the one before it.

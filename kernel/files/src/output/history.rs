@@ -29,14 +29,14 @@ pub struct HistoryWriter {
     last_time: Option<f64>,
 }
 
-/// What was found when a history was continued.
+/// State of a history that was continued.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ContinuedHistory {
     /// Rows kept.
     pub kept: usize,
     /// Rows taken off because they are later than the restart.
     pub dropped: usize,
-    /// Whether half a row, left by a killed run, was taken off.
+    /// True if half a row, left by a killed run, was taken off.
     pub half_row: bool,
 }
 
@@ -194,7 +194,7 @@ pub(crate) fn row(time: f64, step: u64, values: &[f64]) -> String {
 
 /// The part of an earlier history that stays.
 struct KeptRows {
-    /// In bytes from the start.
+    /// Length in bytes from the start.
     length: usize,
     last_time: Option<f64>,
     resumed: ContinuedHistory,

@@ -83,15 +83,15 @@ pub struct Summary {
     /// Reasons for caution with the results: energy that no channel explains, strains that a law does not bear.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub warnings: Vec<Warning>,
-    /// What happened on the way, in the order of time.
+    /// Events of the run, in the order of time.
     #[serde(default)]
     pub events: Vec<SummaryEvent>,
     /// Hash of the final particle state in particle-id order, 16 hexadecimal digits in the file.
     #[serde(with = "hexadecimal")]
     pub state_hash: u64,
-    /// How the run ended.
+    /// Ending of the run.
     pub status: Status,
-    /// Why it ended so, unless it finished.
+    /// Reason of the ending, unless it finished.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub error: Option<String>,
 }
@@ -111,7 +111,7 @@ pub struct SummaryMesh {
 /// is what is there now and what is missing: start + external work = kinetic + strain + contact + dissipated.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct SummaryEnergy {
-    /// Of motion.
+    /// Energy of motion.
     #[serde(default, skip_serializing_if = "no_number")]
     pub kinetic: Option<f64>,
     /// Stored in strain.
@@ -138,14 +138,14 @@ pub struct SummaryEnergy {
     /// Dissipated by laws, such as plastic work.
     #[serde(default, skip_serializing_if = "no_number")]
     pub plastic: Option<f64>,
-    /// Of particles that left the mesh and were removed.
+    /// Energy of particles that left the mesh and were removed.
     #[serde(default, skip_serializing_if = "no_number")]
     pub removed: Option<f64>,
     /// Left through absorbing planes; left out where no plane absorbs.
     #[serde(default, skip_serializing_if = "no_number")]
     pub absorbed: Option<f64>,
-    /// What none of these accounts for: the transfer between particles and nodes, friction of mortar contact, errors of the
-    /// method. Negative where energy came from nowhere.
+    /// Energy that none of these accounts for: the transfer between particles and nodes, friction of mortar contact, errors of
+    /// the method. Negative where energy came from nowhere.
     #[serde(default, skip_serializing_if = "no_number")]
     pub remainder: Option<f64>,
     /// Rest that returns to yield surfaces leave of the work of the strain, which the remainder has; left out where no body yields.
@@ -153,7 +153,7 @@ pub struct SummaryEnergy {
     pub algorithmic: Option<f64>,
 }
 
-/// Where the work of the strain of a body that yields went \[J\].
+/// Work of the strain of a body that yields, by its destination \[J\].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct YieldingBody {
     /// Identifier of the body.
@@ -164,13 +164,13 @@ pub struct YieldingBody {
     /// Plastic work.
     #[serde(default, skip_serializing_if = "no_number")]
     pub plastic: Option<f64>,
-    /// What the finite step leaves of neither.
+    /// Share of neither, which the finite step leaves.
     #[serde(default, skip_serializing_if = "no_number")]
     pub algorithmic: Option<f64>,
 }
 
-/// How far a vertex of mortar contact is off its body: its distance from where the particles that were around it at the
-/// start say that it is, which is none in rigid motions and uniform strains of vertices that go with their body.
+/// Distance of a vertex of mortar contact from its place in the body, as the particles that were around it at the start give
+/// it; it is zero in rigid motions and uniform strains of vertices that go with their body.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct SummaryDrift {
     /// Identifier of the body.
@@ -188,23 +188,23 @@ pub struct SummaryDrift {
 /// A reason for caution with the results of a run that ended well.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Warning {
-    /// Which kind, a fixed word: `energy`, `strain`, `stretch`, `traction`.
+    /// Kind, a fixed word: `energy`, `strain`, `stretch`, `traction`.
     pub kind: String,
-    /// How much, the probable cause, and what to use, for people.
+    /// Amount, the probable cause, and what to use, for people.
     pub message: String,
 }
 
 /// Something that the reader of the results has to know, such as a particle that left the mesh.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct SummaryEvent {
-    /// Which kind of event, a fixed word such as `particle_left`.
+    /// Kind of the event, a fixed word such as `particle_left`.
     pub kind: String,
-    /// What happened, for people.
+    /// Text of the event, for people.
     pub message: String,
-    /// When \[s\].
+    /// Time \[s\].
     #[serde(default, skip_serializing_if = "no_number")]
     pub time: Option<f64>,
-    /// In which step.
+    /// Number of the step.
     pub step: u64,
     /// Id of the particle.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -217,7 +217,7 @@ pub struct SummaryEvent {
     pub mass: Option<f64>,
 }
 
-/// How a run ended.
+/// Ending of a run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Status {

@@ -137,7 +137,7 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// Whether the first row holds names; a row that contradicts what the scene says is a problem.
+    /// True if the first row holds names; a row that contradicts the scene is a problem.
     fn is_header(
         &mut self,
         record: &csv::StringRecord,
@@ -237,7 +237,7 @@ impl<'a> Table<'a> {
     }
 }
 
-/// What stands between the columns of a table.
+/// Separator of the columns of a table.
 #[derive(Clone, Copy)]
 enum Separator {
     Comma,
@@ -247,8 +247,8 @@ enum Separator {
 }
 
 impl Separator {
-    /// That of the first line that begins with a number, else of the first that is not blank: a header may have blanks within
-    /// its names.
+    /// Separator of the first line that begins with a number, else of the first that is not blank: a header may have blanks
+    /// within its names.
     fn of(lines: &[&str]) -> Self {
         let mut filled = lines.iter().map(|line| line.trim());
         let is_number = |line: &&str| {
@@ -282,7 +282,7 @@ impl Separator {
         }
     }
 
-    /// What is left of it in [`Separator::alone`].
+    /// Byte of it in [`Separator::alone`].
     fn byte(self) -> u8 {
         match self {
             Self::Comma => b',',

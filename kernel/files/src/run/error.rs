@@ -1,4 +1,4 @@
-//! Why a run cannot start or go on.
+//! Errors of a run that cannot start or go on.
 
 use crate::output::{CheckpointError, OutputError};
 use proctor_scene::simulation::{SetupError, StepError};
@@ -18,7 +18,7 @@ pub enum RunError {
 }
 
 impl RunError {
-    /// Whether the input is at fault (exit code 2) and not the run (exit code 1).
+    /// True if the input is at fault (exit code 2) and not the run (exit code 1).
     #[must_use]
     pub fn is_bad_input(&self) -> bool {
         !matches!(self, Self::Step(_))

@@ -53,8 +53,8 @@ pub struct StepForecast {
 }
 
 impl StepForecast {
-    /// Of a scene whose steps are as long as `dt` \[s\], unless the scene has a constant one. Other steps are shortened so that
-    /// outputs fall on their times.
+    /// Forecast of a scene whose steps are as long as `dt` \[s\], unless the scene has a constant one. Other steps are
+    /// shortened so that outputs fall on their times.
     #[must_use]
     pub fn new(scene: &Scene, dt: f64) -> Self {
         let (dt, is_exact) = match scene.time_step {
@@ -108,7 +108,7 @@ pub struct OutputForecast {
 }
 
 impl OutputForecast {
-    /// Of a simulation with so many steps, as long as no particle leaves it.
+    /// Forecast of a simulation with so many steps, as long as no particle leaves it.
     #[must_use]
     pub fn new(simulation: &mut Simulation, steps: &StepForecast) -> Self {
         let results = simulation.scene().results.clone();

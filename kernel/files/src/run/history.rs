@@ -9,7 +9,7 @@ pub struct HistoryRows {
 }
 
 impl HistoryRows {
-    /// Of a simulation at its start, when the particle nearest to each probe is found.
+    /// History of a simulation at its start, when the particle nearest to each probe is found.
     #[must_use]
     pub fn new(simulation: &Simulation) -> Self {
         Self {
@@ -131,13 +131,13 @@ const ABSORBED: &str = "energy_absorbed";
 /// Mass of pore water \[kg\], what its compression stores, and what its drag took \[J\].
 const WATER: [&str; 3] = ["water_mass", "energy_water", "energy_drag"];
 
-/// Where the work of the strain of a body went that yields \[J\].
+/// Work of the strain of a body that yields, by its destination \[J\].
 const YIELDING: [&str; 3] = ["stored", "plastic", "algorithmic"];
 
-/// How far the farthest vertex of mortar contact is off its body \[m\], and over the smallest size of a cell.
+/// Distance of the farthest vertex of mortar contact from its place in the body \[m\], and over the smallest size of a cell.
 const DRIFT: [&str; 2] = ["boundary_drift", "boundary_drift_in_cells"];
 
-/// Whether a body has a boundary, whose vertices could drift.
+/// True if a body has a boundary, whose vertices could drift.
 fn has_drift(simulation: &Simulation) -> bool {
     !simulation.scene().mortar.boundaries.is_empty()
 }

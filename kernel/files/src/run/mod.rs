@@ -42,7 +42,7 @@ use serde_json::{Value, json};
 use std::path::Path;
 use std::sync::Arc;
 
-/// Whether a run goes on after a step.
+/// Decision after a step: go on, or stop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RunControl {
     /// Next step.
@@ -203,7 +203,7 @@ impl Run {
         self.simulation.energy()
     }
 
-    /// What the run was and how it ended; the times of the clock are for the caller to add.
+    /// Summary of the run and its ending; the caller adds the times of the clock.
     #[must_use]
     pub fn summary(&mut self) -> Summary {
         let energy = self.energy();

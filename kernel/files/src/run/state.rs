@@ -110,7 +110,7 @@ pub(super) fn restore(
     Ok(())
 }
 
-/// What does not fit the scene, by the section that holds it.
+/// Error of a part that does not fit the scene, by the section that holds it.
 fn misfit(error: RestoreError) -> CheckpointError {
     let (name, expected, found) = match error {
         RestoreError::Length {
@@ -251,7 +251,7 @@ fn read(checkpoint: &Checkpoint, like: SavedState) -> Result<SavedState, Checkpo
     })
 }
 
-/// What was watched; a doubt as step, time, place of its reason and value.
+/// Saves the watched invariants; a doubt as step, time, place of its reason and value.
 fn save_trust(invariants: &InvariantMonitor, checkpoint: &mut Checkpoint) {
     let numbers = vec![
         invariants.given,

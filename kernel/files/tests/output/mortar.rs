@@ -116,7 +116,7 @@ fn restart(file: &str, up: usize, follow: FollowMode) {
     );
 }
 
-/// What the file says of the vertices is what the simulation says, and forces on the two surfaces cancel.
+/// The vertices of the file are those of the simulation, and forces on the two surfaces cancel.
 #[test]
 fn frames_of_boundaries_hold_contact() {
     let mut scene = read(Path::new("../../fixtures/scenes/rolling_disc_2d.json"))

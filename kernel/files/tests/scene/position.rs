@@ -1,4 +1,4 @@
-//! Where a path stands in a JSON text.
+//! Place of a path in a JSON text.
 
 use proctor_files::json::position::{find, location};
 

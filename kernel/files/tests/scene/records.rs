@@ -68,7 +68,7 @@ fn any_separator_is_read() {
     }
 }
 
-/// What cannot be read says which separators there are, and a decimal comma what is wrong with it.
+/// A table that cannot be read names the separators, and a decimal comma its fault.
 #[test]
 fn a_record_that_cannot_be_split_names_the_separators() {
     let said = |text: &str| {

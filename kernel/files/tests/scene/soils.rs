@@ -205,8 +205,8 @@ fn what_does_not_go_together_has_its_place() {
     assert!(error.problems[0].accepted.contains("-3 G"), "{error}");
 }
 
-/// What is doubtful is run, and said.
-/// Over no strain the strength would fall infinitely fast: that follows from the marks, and is not said beside them.
+/// A doubtful soil runs with a warning. Over no strain the strength would fall infinitely fast: that follows from the marks,
+/// and is not said beside them.
 #[test]
 fn softening_over_no_strain_is_refused_for_its_marks_alone() {
     let keys = r#""type": "mohr_coulomb", "friction": 30, "cohesion": 1000, "softening": "linear",

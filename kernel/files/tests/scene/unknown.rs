@@ -305,7 +305,7 @@ fn particles_as_lists_are_answered() {
     );
 }
 
-/// What an answer names is there, and no word that is a key of its block has one.
+/// The keys that an answer names exist, and no word that is a key of its block has an answer.
 #[test]
 fn answers_name_what_there_is() {
     let blocks = blocks();

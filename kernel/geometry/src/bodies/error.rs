@@ -1,4 +1,4 @@
-//! Why a body could not be filled.
+//! Error of a body that could not be filled.
 
 use crate::memory::OutOfMemory;
 use crate::mesh::Mesh;
@@ -6,7 +6,7 @@ use crate::number::{Number, list};
 use crate::shape::{Dimension, Vector};
 use std::fmt;
 
-/// Why a body could not be filled. Positions and ranges are in the coordinates of the scene.
+/// Error of a body that could not be filled. Positions and ranges are in the coordinates of the scene.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FillError {
     /// No sub-cell centre lies inside the body.
@@ -42,7 +42,7 @@ pub enum FillError {
     },
     /// A number is infinite or not a number.
     NotFinite {
-        /// What it is.
+        /// The quantity.
         quantity: &'static str,
         /// Particle of a particle list that it belongs to, if any.
         index: Option<usize>,
@@ -51,7 +51,7 @@ pub enum FillError {
     },
     /// A number that must be positive is not.
     NotPositive {
-        /// What it is.
+        /// The quantity.
         quantity: &'static str,
         /// Particle of a particle list that it belongs to, if any.
         index: Option<usize>,

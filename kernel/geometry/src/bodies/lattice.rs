@@ -81,7 +81,7 @@ impl Lattice {
         })
     }
 
-    /// Whether there is room for so many particles, and for `more` bytes beside them.
+    /// Checks that there is room for so many particles, and for `more` bytes beside them.
     ///
     /// # Errors
     /// [`FillError::Memory`].

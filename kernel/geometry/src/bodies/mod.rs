@@ -87,7 +87,7 @@ impl HalfLength {
 /// Bytes of a particle in [`FilledBody`]: position, volume and half-lengths.
 pub const FILLED: f64 = 56.0;
 
-/// What a body may need.
+/// Needs of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MemoryRoom {
     /// Memory that is free.

@@ -35,7 +35,7 @@ fn bounds(points: &[Point], axis: usize) -> [f64; 2] {
     range
 }
 
-/// What the edges do to one row of sub-cells.
+/// Effect of the edges on one row of sub-cells.
 #[derive(Default)]
 struct Cuts {
     /// Coordinates where an edge crosses the line through the centres of the row.

@@ -40,7 +40,7 @@ pub struct MohrCoulomb {
 }
 
 impl MohrCoulomb {
-    /// Of Young's modulus \[Pa\], Poisson's ratio, friction \[°\], cohesion \[Pa\] and dilation \[°\].
+    /// Law of Young's modulus \[Pa\], Poisson's ratio, friction \[°\], cohesion \[Pa\] and dilation \[°\].
     #[must_use]
     pub fn new(young: f64, poisson: f64, [friction, cohesion, dilation]: [f64; 3]) -> Self {
         Self {
@@ -107,7 +107,7 @@ impl MohrCoulomb {
         self.peak
     }
 
-    /// How its strength falls.
+    /// Softening of the strength.
     #[must_use]
     pub const fn softens(&self) -> Softening {
         self.softening
@@ -345,8 +345,8 @@ impl YieldSurface for MohrCoulomb {
     }
 }
 
-/// Where a stress may lie beyond the surface, by its invariants alone: sqrt(J_2) sqrt(1 + sin² phi/3) + p sin phi and
-/// p + 2 sqrt(J_2/3) bound the shear and the tension from above.
+/// Bounds of a stress beyond the surface, by its invariants alone: sqrt(J_2) sqrt(1 + sin² phi/3) + p sin phi and p + 2
+/// sqrt(J_2/3) bound the shear and the tension from above.
 #[inline(always)]
 fn may_yield<L: Lanes, const D: usize>(strength: &Strength<L>, trial: &[L; 6]) -> L::Mask {
     let (mean, s) = deviator::<L, D>(trial);

@@ -26,7 +26,7 @@ impl<L: Lanes> Strength<L> {
         (one + self.sine) * a - (one - self.sine) * b - self.cohesive
     }
 
-    /// How far principal stresses, the largest first, lie beyond the surface; not positive where they do not.
+    /// Distance of principal stresses, the largest first, beyond the surface; not positive inside.
     #[inline(always)]
     pub fn excess(&self, s: &[L; 3]) -> L {
         self.beyond(s[0], s[2]).max(s[0] - self.tension)

@@ -4,7 +4,7 @@ use crate::functions;
 use crate::{Choice, Constant, ConstantDefault, ConstantRange, InvalidConstant};
 use proctor_kernel::lanes::Lanes;
 
-/// How strength falls from its peak to what is left of it.
+/// Fall of the strength from its peak to the residual strength.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Softening {
     /// Not at all.
@@ -16,9 +16,9 @@ pub enum Softening {
     },
     /// Along a straight line between two plastic strains.
     Linear {
-        /// Where it begins.
+        /// Plastic strain at which it begins.
         from: f64,
-        /// Where it ends.
+        /// Plastic strain at which it ends.
         to: f64,
     },
 }
@@ -50,7 +50,7 @@ impl Softening {
     }
 }
 
-/// What each of friction, cohesion, dilation and tensile strength falls to; `None` where it stays.
+/// Residual values of friction, cohesion, dilation and tensile strength; `None` where it stays.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Residual {
     /// Angle of friction \[°\].
@@ -185,7 +185,7 @@ pub(super) fn values(softening: Softening, residual: &Residual, peak: [f64; 4]) 
     [eta, from, to].into_iter().chain(left).collect()
 }
 
-/// What does not go together, for the peak strength of friction, cohesion, dilation and tensile strength.
+/// Constants that do not go together, for the peak strength of friction, cohesion, dilation and tensile strength.
 pub(super) fn problems(
     softening: Softening,
     residual: &Residual,

@@ -179,7 +179,7 @@ pub(super) fn describe(plan: &Plan, scene: &Scene, demands: PlanOptions) -> Vec<
     list.0
 }
 
-/// Whether the particles of a body are given one by one.
+/// True if the particles of a body are given one by one.
 pub(super) fn is_list(body: &Body) -> bool {
     matches!(body.shape, Shape::Particles(_))
 }

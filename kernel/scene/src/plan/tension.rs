@@ -85,7 +85,7 @@ impl Extent {
         [self.low, self.high][side][axis]
     }
 
-    /// Whether it shares space with a box, by more than round-off.
+    /// True if it shares space with a box, by more than round-off.
     fn meets(&self, p1: &Vector, p2: &Vector, axes: usize, tolerance: f64) -> bool {
         (0..axes).all(|axis| {
             self.low[axis] <= p2[axis] + tolerance && self.high[axis] >= p1[axis] - tolerance

@@ -13,7 +13,7 @@ use proctor_laws::{PRECONSOLIDATION, Point};
 /// Sets the stress of a body, by its index, at the start, what its law remembers of it, and what the first time step depends on.
 ///
 /// # Errors
-/// Where the law of the body does not bear it, with the particle that is farthest from what it bears.
+/// If the law of the body does not bear the stress, with the particle that is farthest from the yield surface.
 pub(super) fn set(
     set: &mut ParticleSet,
     scene: &Scene,
@@ -162,7 +162,7 @@ struct YieldExcess {
     stress: [f64; 6],
 }
 
-/// How far the law of a point moves a stress where nothing strains \[Pa\]: 0 where it bears it.
+/// Change that the law of a point makes to a stress without strain \[Pa\]: 0 where it bears the stress.
 fn beyond(point: &mut Point, stress: &[f64; 6]) -> f64 {
     // Round-off of the return to a yield surface that a stress lies on.
     const NEARLY: f64 = 1e-9;

@@ -44,7 +44,7 @@ pub(super) fn grid(
         .map_err(|error| at(MESH, error))
 }
 
-/// Whether the system hands out so many bytes in one piece.
+/// Checks that the system gives so many bytes in one piece.
 fn handed_out(what: String, needed: f64) -> Result<(), OutOfMemory> {
     let piece = in_one_piece(needed);
     if piece < needed {

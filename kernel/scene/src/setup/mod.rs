@@ -1,4 +1,4 @@
-//! From a scene to a simulation at time zero.
+//! Set-up: from a scene to a simulation at time zero.
 
 mod domain;
 mod initial_stress;

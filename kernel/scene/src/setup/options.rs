@@ -13,7 +13,7 @@ use std::sync::Arc;
 /// State of a particle at the start, by its position \[m\].
 pub type InitialField = Arc<dyn Fn(&Vector) -> InitialState + Send + Sync>;
 
-/// What an [`InitialField`] gives.
+/// Quantity of an [`InitialField`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InitialState {
     /// Velocity \[m/s\].
@@ -31,7 +31,7 @@ pub struct InitialState {
 }
 
 impl InitialState {
-    /// With this component of the stress \[Pa\].
+    /// Sets this component of the stress \[Pa\].
     #[must_use]
     pub fn with_stress(mut self, component: Component, value: f64) -> Self {
         self.stress[component.place()] = value;
@@ -40,7 +40,7 @@ impl InitialState {
 }
 
 impl Default for InitialState {
-    /// At rest, without stress or deformation.
+    /// State at rest, without stress or deformation.
     fn default() -> Self {
         Self {
             velocity: [0.0; 3],
@@ -91,21 +91,21 @@ pub struct Options {
 }
 
 impl Options {
-    /// With this number of threads.
+    /// Sets this number of threads.
     #[must_use]
     pub fn with_threads(mut self, threads: usize) -> Self {
         self.threads = Some(threads);
         self
     }
 
-    /// With these lanes.
+    /// Sets these lanes.
     #[must_use]
     pub fn with_lanes(mut self, lanes: LaneChoice) -> Self {
         self.lanes = lanes;
         self
     }
 
-    /// With this initial state of the particles, by their position \[m\].
+    /// Sets this initial state of the particles, by their position \[m\].
     #[must_use]
     pub fn with_initial(
         mut self,
@@ -115,7 +115,7 @@ impl Options {
         self
     }
 
-    /// With this body force per mass \[m/s²\]: see [`BodyForce`].
+    /// Sets this body force per mass \[m/s²\]: see [`BodyForce`].
     #[must_use]
     pub fn with_body_force(
         mut self,
@@ -125,14 +125,14 @@ impl Options {
         self
     }
 
-    /// With this condition at the nodes, after those of the scene and those that were given before.
+    /// Adds this condition at the nodes, after those of the scene and those that were given before.
     #[must_use]
     pub fn with_condition(mut self, condition: impl Condition + 'static) -> Self {
         self.conditions.push(Arc::new(condition));
         self
     }
 
-    /// With this interaction of velocity fields, after those of the scene and those that were given before.
+    /// Adds this interaction of velocity fields, after those of the scene and those that were given before.
     #[must_use]
     pub fn with_interaction(mut self, interaction: impl Interaction + 'static) -> Self {
         self.interactions.push(Box::new(interaction));

@@ -10,7 +10,7 @@ use proctor_kernel::stage::g2p::ParticleMaxima;
 /// Bodies as another run left them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StartState {
-    /// Where it was read, for messages.
+    /// File that it was read from, for messages.
     pub source: String,
     /// Lower corner of the mesh of that run when it ended \[m\].
     pub origin: Vector,

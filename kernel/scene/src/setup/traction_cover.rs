@@ -175,7 +175,7 @@ impl RectangleCuts {
     }
 }
 
-/// Which pieces of a rectangle lie over a body.
+/// Pieces of a rectangle that lie over a body.
 struct CoveredPieces<'a> {
     cuts: &'a [RectangleCuts],
     /// The pieces along the last axis lie one after the other.
@@ -212,7 +212,7 @@ impl<'a> CoveredPieces<'a> {
         }
     }
 
-    /// What no box covers.
+    /// The part that no box covers.
     fn gap(&self, traction: &Traction) -> Option<Gap> {
         let row = self.row().max(1);
         let mut gap = Gap {

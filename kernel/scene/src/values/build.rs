@@ -35,7 +35,7 @@ impl Scene {
         scene
     }
 
-    /// With this condition on all boundary planes of the mesh.
+    /// Sets this condition on all boundary planes of the mesh.
     #[must_use]
     pub fn with_planes(mut self, condition: PlaneCondition) -> Self {
         for planes in &mut self.mesh.planes[..self.dimension.axes()] {
@@ -44,56 +44,56 @@ impl Scene {
         self
     }
 
-    /// With this condition on the lower (`side` 0) or upper (1) boundary plane along `axis`.
+    /// Sets this condition on the lower (`side` 0) or upper (1) boundary plane along `axis`.
     #[must_use]
     pub fn with_plane(mut self, axis: usize, side: usize, condition: PlaneCondition) -> Self {
         self.mesh.planes[axis][side] = condition;
         self
     }
 
-    /// With this acceleration of gravity \[m/s²\]: two numbers in the plane, three in space.
+    /// Sets this acceleration of gravity \[m/s²\]: two numbers in the plane, three in space.
     #[must_use]
     pub fn with_gravity<const D: usize>(mut self, gravity: [f64; D]) -> Self {
         self.gravity = in_space(gravity);
         self
     }
 
-    /// With this end \[s\].
+    /// Sets this end \[s\].
     #[must_use]
     pub fn with_end(mut self, time: f64) -> Self {
         self.time = time;
         self
     }
 
-    /// With this choice of the time step.
+    /// Sets this choice of the time step.
     #[must_use]
     pub fn with_time_step(mut self, time_step: TimeStep) -> Self {
         self.time_step = time_step;
         self
     }
 
-    /// With this weighting function.
+    /// Sets this weighting function.
     #[must_use]
     pub fn with_weighting(mut self, weighting: Weighting) -> Self {
         self.weighting = weighting;
         self
     }
 
-    /// With this stress scheme.
+    /// Sets this stress scheme.
     #[must_use]
     pub fn with_scheme(mut self, scheme: StressScheme) -> Self {
         self.scheme = scheme;
         self
     }
 
-    /// With this transfer of velocity.
+    /// Sets this transfer of velocity.
     #[must_use]
     pub fn with_transfer(mut self, transfer: Transfer) -> Self {
         self.transfer = transfer;
         self
     }
 
-    /// With this damping.
+    /// Sets this damping.
     #[must_use]
     pub fn with_damping(mut self, damping: Damping) -> Self {
         self.damping = damping;

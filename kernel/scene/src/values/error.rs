@@ -25,13 +25,13 @@ impl fmt::Display for Location {
 pub struct Problem {
     /// Key in the scene, such as `materials[0].young`; spelt as in the file where there is one.
     pub path: String,
-    /// What is there.
+    /// Value that was found.
     pub found: String,
-    /// What would be accepted.
+    /// Values that would be accepted.
     pub accepted: String,
-    /// What may have been meant, such as the nearest known key.
+    /// Value that was probably meant, such as the nearest known key.
     pub hint: Option<String>,
-    /// Where it was found; `None` for a scene that was not read from a file.
+    /// Place in the file; `None` for a scene that was not read from a file.
     pub location: Option<Location>,
 }
 

@@ -47,7 +47,7 @@ pub struct Scene {
     pub time: f64,
     /// Share of the weight below which the sum of the unbalanced forces at the nodes ends a run before that.
     pub until: Option<f64>,
-    /// How the time step is chosen.
+    /// Choice of the time step.
     pub time_step: TimeStep,
     /// Acceleration of gravity \[m/s²\].
     pub gravity: Vector,
@@ -55,11 +55,11 @@ pub struct Scene {
     pub mesh: Mesh,
     /// Weighting function `S_Ip`.
     pub weighting: Weighting,
-    /// When the stress is updated in the cycle.
+    /// Stress scheme: the place of the stress update in the cycle.
     pub scheme: StressScheme,
-    /// How velocity is carried between particles and nodes.
+    /// Transfer of velocity between particles and nodes.
     pub transfer: Transfer,
-    /// Where the volumetric part of strain and stress meets the nodes.
+    /// Averaging of the volumetric part of strain and stress.
     pub volumetric_strain: VolumetricStrain,
     /// Materials; bodies refer to them by index.
     pub materials: Vec<Material>,
@@ -104,11 +104,11 @@ pub struct Scene {
     pub contact_distance: Option<f64>,
     /// Mortar contact, with the boundaries and rigid lines that it needs.
     pub mortar: Mortar,
-    /// What happens to a particle that leaves the mesh.
+    /// Treatment of a particle that leaves the mesh.
     pub outside: Outside,
-    /// What happens when energy, momentum or a strain increment is out of balance.
+    /// Reaction to an imbalance of energy, momentum or a strain increment.
     pub on_imbalance: OnImbalance,
-    /// What is written, and how often.
+    /// Results that are written, and their interval.
     pub results: Results,
     /// Particles whose history is written to `history.csv`.
     pub probes: Vec<Probe>,
@@ -224,7 +224,7 @@ impl Scene {
     /// Share for rods: the square of the largest frequency is at most four times that of the plane, 2/(1 - nu) in a solid.
     const OF_RODS: f64 = 0.5;
 
-    /// Whether a boundary plane has a condition: 0 the lower, 1 the upper plane of the axis. A moving base is one.
+    /// True if a boundary plane has a condition: 0 the lower, 1 the upper plane of the axis. A moving base is one.
     #[must_use]
     pub fn plane_acts(&self, axis: usize, side: usize) -> bool {
         plane_acts(&self.mesh, self.base_motion.as_ref(), axis, side)

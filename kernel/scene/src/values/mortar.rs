@@ -8,8 +8,8 @@ use std::f64::consts::PI;
 pub const MOST_CREEP: f64 = 5e-3;
 
 impl Scene {
-    /// By how much the tangential spring of a mortar contact lets a round body lag behind the way that it rolls, over the
-    /// way, at most; `None` where none of its bodies is round and free to move.
+    /// Largest lag of a round body behind its way of rolling that the tangential spring of a mortar contact allows, over the
+    /// way; `None` where none of its bodies is round and free to move.
     ///
     /// Traction grows by kappa_t xi over the contact of 2 b, so that a force of 2 b² kappa_t xi creeps by xi. Hertz gives
     /// b² = 4 N R/(pi E*), friction is mu N at most, and E* no more than 4 E/3: xi <= pi mu E/(6 R kappa_t).

@@ -5,19 +5,19 @@ use proctor_kernel::model::Vector;
 /// Pore pressure at the start of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum InitialPressure {
-    /// That of all particles of a material, by its identifier \[Pa\].
+    /// Pressure of all particles of a material, by its identifier \[Pa\].
     Material {
         /// Identifier.
         id: i64,
         /// Pressure \[Pa\].
         pressure: f64,
     },
-    /// That of water at rest below a level, in all particles; none above it.
+    /// Pressure of water at rest below a level, in all particles; none above it.
     Table {
         /// Coordinate of the level along the axis of gravity \[m\].
         level: f64,
     },
-    /// That of particles whose centres lie in a box \[Pa\].
+    /// Pressure of particles whose centres lie in a box \[Pa\].
     Box {
         /// Lower corner \[m\].
         p1: Vector,

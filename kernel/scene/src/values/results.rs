@@ -2,7 +2,7 @@
 
 use proctor_kernel::model::Vector;
 
-/// What is written, and how often.
+/// Results that are written, and their interval.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Results {
     /// Number of equal time intervals at whose ends frames and history rows are written, besides the

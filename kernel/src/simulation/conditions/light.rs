@@ -13,7 +13,7 @@ use crate::stage::solve::NodeForce;
 /// Mass over that of the heaviest node around from which a node bears a whole force. The corner of a body that begins at a
 /// node has an eighth in space.
 const BEARS: f64 = 1.0 / 16.0;
-/// What a step along one more axis takes from the share of a neighbour.
+/// Part of the share of a neighbour that a step along one more axis takes.
 const ACROSS: f64 = 0.1;
 
 /// Masses of nodes while loads are spread.
@@ -23,7 +23,7 @@ pub(super) struct Masses<'a> {
 }
 
 impl<'a> Masses<'a> {
-    /// Those that were mapped for this step.
+    /// Masses that were mapped for this step.
     pub(super) fn of(view: &'a StepView<'a>) -> Self {
         let shape = &view.grid.shape;
         Self { view, shape }
@@ -76,7 +76,7 @@ impl<'a> Masses<'a> {
         }
     }
 
-    /// Whether no node bears less of its load than all of it.
+    /// True if every node bears all of its load.
     pub(super) fn bear(&self, loads: &[NodeForce]) -> bool {
         loads.iter().all(|load| self.share(load.node) >= 1.0)
     }

@@ -16,7 +16,7 @@ use std::sync::Arc;
 
 /// Forces on the nodes of all fields together.
 struct NodalLoads {
-    /// Those that stay what they are, one for each node, increasing; zero at a node that only others act on.
+    /// Forces that stay what they are, one for each node, increasing; zero at a node that only others act on.
     steady: Vec<NodeForce>,
     /// Tractions that change in time.
     changing: Vec<VaryingTraction>,
@@ -62,7 +62,8 @@ impl Condition for NodalLoads {
         !self.changing.is_empty() || self.steady.iter().any(acts)
     }
 
-    /// Those that change, at the middle of the kick; those on nodes that are nearly empty, as the nodes around bear them.
+    /// Sets the forces that change, at the middle of the kick; those on nodes that are nearly empty, as the nodes around bear
+    /// them.
     fn prescribe(&self, view: &StepView<'_>, nodal: &mut NodalConditions) {
         if !self.reads_masses() {
             return;
@@ -126,7 +127,7 @@ impl NodalLoads {
         }
     }
 
-    /// Whether a body has left a traction behind: it acted when the run began, and a node of it is empty.
+    /// True if a body has left a traction behind: it acted when the run began, and a node of it is empty.
     fn left(&self, view: &StepView<'_>, masses: &Masses<'_>) -> bool {
         let nodes = &self.of_tractions;
         view.clock.step > 0 && nodes.iter().any(|node| masses.at(*node) <= 0.0)

@@ -30,11 +30,11 @@ type ConditionBuilder = fn(&CycleSettings, &GridShape) -> Option<ConditionResult
 
 /// A type of condition, as it stands in a list.
 struct ConditionType {
-    /// What the plan says of it.
+    /// Entries of the plan for it.
     plan_entries: fn(&CycleSettings, &mut PlanEntries),
-    /// How it is made, if it is one on nodes.
+    /// Builder of the condition, if it is one on nodes.
     make: Option<ConditionBuilder>,
-    /// Whether it is one of the boundary planes, which have the last word at a node.
+    /// True for the boundary planes, which have the last word at a node.
     planes: bool,
 }
 
@@ -59,7 +59,7 @@ list! {
     absorbing: [ABSORBING_PLANES],
 }
 
-/// What the plan says of conditions.
+/// Adds the entries of the plan for conditions.
 pub fn describe(settings: &CycleSettings, list: &mut PlanEntries) {
     for kind in ALL {
         (kind.plan_entries)(settings, list);

@@ -1,6 +1,6 @@
 //! The boundary planes of the mesh, free of stress, sliding, fixed or antisymmetric.
 //!
-//! What lies beyond them is known to the mapping too, which folds it back ([`Planes::fold`](crate::stage::solve::Planes)).
+//! The mapping knows the region beyond them too, and folds it back ([`Planes::fold`](crate::stage::solve::Planes)).
 
 use super::{ConditionResult, ConditionType};
 use crate::grid::GridShape;
@@ -14,9 +14,9 @@ use std::sync::Arc;
 /// The planes that are not free.
 struct Walls {
     skeleton: Vec<Wall>,
-    /// Those that the pore water meets.
+    /// Walls that the pore water meets.
     water: Vec<Wall>,
-    /// Those at which the pressure of the pore water is given.
+    /// Planes at which the pressure of the pore water is given.
     pressed: Vec<PressedPlane>,
 }
 

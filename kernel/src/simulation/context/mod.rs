@@ -150,7 +150,7 @@ impl<'a> StepContext<'a> {
         self.nodal
     }
 
-    /// Those for the water, or those for what it flows through.
+    /// Planes for the water, or those for the skeleton.
     #[must_use]
     #[inline]
     pub(super) fn walls_of(&self, owner: Owner) -> &[Wall] {
@@ -211,18 +211,18 @@ impl<'a> StepContext<'a> {
 /// The mapping whose velocities a visit changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum VelocityMapping {
-    /// Those of the equation of motion.
+    /// Velocities of the equation of motion.
     Trial,
-    /// Those that were mapped a second time.
+    /// Velocities that were mapped a second time.
     Remap(Remap),
 }
 
 /// The second mapping of velocities (remap), by the positions that it maps from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Remap {
-    /// From the positions of the first mapping, to the upper lanes of the nodes (MUSL).
+    /// Mapped from the positions of the first mapping, to the upper lanes of the nodes (MUSL).
     OldPositions,
-    /// From the positions at the end of the step, to the lower lanes (USF).
+    /// Mapped from the positions at the end of the step, to the lower lanes (USF).
     NewPositions,
 }
 

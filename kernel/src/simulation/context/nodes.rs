@@ -9,10 +9,10 @@ use crate::stage::solve::{DrivenNode, PlaneSums, Planes, is_ghost};
 /// One velocity field in the planes of nodes that one thread owns.
 pub struct FieldNodes<'s, 'a> {
     pub(in crate::simulation) slab: &'s mut Slab<'a>,
-    /// Which of its fields.
+    /// Number of the field among those of the node.
     pub(in crate::simulation) number: usize,
     pub(in crate::simulation) context: &'s StepContext<'s>,
-    /// Of each plane; none in a second mapping.
+    /// Sums of each plane; none in a second mapping.
     pub(in crate::simulation) sums: &'s mut [PlaneSums],
 }
 
@@ -153,9 +153,9 @@ impl Slab<'_> {
 pub struct Node<'n> {
     position: Vector,
     line: &'n mut Line,
-    /// Where its velocity lies.
+    /// Lane of its velocity.
     lane: usize,
-    /// Whether its motion is not prescribed.
+    /// True if its motion is not prescribed.
     free: bool,
     /// Power that was added \[W\].
     power: f64,
@@ -205,7 +205,7 @@ impl Node<'_> {
         }
     }
 
-    /// By how much the velocity has changed over the kick \[m/s\], after the acceleration.
+    /// Change of the velocity over the kick \[m/s\], after the acceleration.
     #[must_use]
     pub fn change(&self) -> Vector {
         std::array::from_fn(|axis| self.line[4 + axis])

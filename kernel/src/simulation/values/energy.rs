@@ -37,7 +37,7 @@ pub struct Energy {
     pub algorithmic: f64,
 }
 
-/// Where the work of the strain of a body that yields went \[J\].
+/// Work of the strain of a body that yields, by its destination \[J\].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BodyEnergy {
     /// Energy that its stress stores.

@@ -10,7 +10,7 @@ use std::any::Any;
 use std::fmt;
 use std::sync::Arc;
 
-/// Where a scene says how many nodes there are.
+/// Key of the number of nodes in a scene.
 pub const MESH: &str = "mesh.cells_number";
 
 /// A simulation cannot be set up from this scene. All are faults of the input.
@@ -20,7 +20,7 @@ pub enum SetupError {
     Body {
         /// Name of the body.
         body: String,
-        /// Why.
+        /// Reason.
         reason: String,
     },
     /// The machine lacks the lanes that were asked for.
@@ -29,21 +29,21 @@ pub enum SetupError {
     UnstableTimeStep(TimeStepAboveCritical),
     /// A load does not fit the mesh, or a material does not bear an initial stress.
     Load {
-        /// Which load, as a path into the scene.
+        /// The load, as a path into the scene.
         path: String,
-        /// Why.
+        /// Reason.
         reason: String,
     },
     /// The mesh has more nodes or the scene more particles than can be numbered.
     TooLarge {
-        /// What is too many, and how many.
+        /// The items that are too many, and their number.
         what: String,
     },
     /// Something needs more memory than there is.
     Memory {
-        /// What sizes it, as a path into the scene.
+        /// Key that decides the size, as a path into the scene.
         path: String,
-        /// What needs it, how much, and how much there is.
+        /// Shortage: the purpose, the bytes needed, and the bytes there are.
         error: OutOfMemory,
     },
     /// The thread pool could not be made.
@@ -54,14 +54,14 @@ pub enum SetupError {
     Interaction {
         /// Its place, as in the scene.
         path: String,
-        /// Why.
+        /// Reason.
         reason: String,
     },
     /// A change between two stages that cannot be made.
     Change {
-        /// What was to be changed.
+        /// The value that was to be changed.
         what: String,
-        /// Why it cannot.
+        /// Reason of the refusal.
         reason: String,
     },
 }
@@ -75,7 +75,7 @@ pub struct InitialOverlap {
     pub bodies: [i64; 2],
     /// Depth \[m\].
     pub depth: f64,
-    /// Where it is deepest \[m\].
+    /// Place of the deepest overlap \[m\].
     pub position: [f64; 3],
 }
 
@@ -90,7 +90,7 @@ pub struct TimeStepAboveCritical {
     pub wave_speed: f64,
     /// Largest particle speed \[m/s\].
     pub particle_speed: f64,
-    /// What gravity and box loads accelerate a particle by, at most \[m/s²\].
+    /// Largest acceleration of a particle by gravity and box loads \[m/s²\].
     pub acceleration: f64,
     /// Largest rate of viscous damping \[1/s\].
     pub viscous_rate: f64,
@@ -182,11 +182,11 @@ pub struct StepError {
     pub step: u64,
     /// Time at its beginning \[s\].
     pub time: f64,
-    /// What happened.
+    /// Kind of the error.
     pub kind: StepErrorKind,
 }
 
-/// What can happen in a step.
+/// Kind of an error in a step.
 #[derive(Clone, Debug, PartialEq)]
 pub enum StepErrorKind {
     /// A particle has a value that is not finite.
@@ -215,7 +215,7 @@ pub enum StepErrorKind {
     NothingLeft,
     /// A load acts where no particle reaches.
     LoadOnEmptyNode {
-        /// Which load, as a path into the scene; `None` where it is none of the scene's.
+        /// The load, as a path into the scene; `None` where it is none of the scene's.
         load: Option<String>,
         /// Position of the node \[m\].
         position: [f64; 3],
@@ -257,7 +257,7 @@ impl StepErrorKind {
         }
     }
 
-    /// Whether particles are left outside the mesh or with values that no step can go on with.
+    /// True if particles are left outside the mesh or with values that no step can go on with.
     pub(in crate::simulation) fn breaks_particles(&self) -> bool {
         matches!(
             self,

@@ -12,7 +12,7 @@ pub struct Event {
     pub step: u64,
     /// Time \[s\].
     pub time: f64,
-    /// What happened.
+    /// Kind of the event.
     pub kind: EventKind,
 }
 

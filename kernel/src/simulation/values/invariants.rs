@@ -32,8 +32,8 @@ pub struct InvariantMonitor {
     pub increment: f64,
     /// Largest change of momentum that no force accounts for, over the momentum in all directions.
     pub lost_momentum: f64,
-    /// By which factor volumes may still change before one of them can be outside 0.1 to 10 times that of the start,
-    /// as a logarithm: then they are looked at. Infinite once one was seen.
+    /// Factor by which volumes may still change before one of them can be outside 0.1 to 10 times that of the start, as a
+    /// logarithm: then they are checked. Infinite once one was seen.
     pub volume_left: f64,
     /// Since when the run is not to be trusted, and why.
     pub violation: Option<Violation>,

@@ -153,8 +153,8 @@ impl State {
     }
 }
 
-/// How many groups of particles with the same base node the mapping meets. The number depends on the scene alone,
-/// not on threads or lanes, and so do the sorts that follow from it.
+/// Counts of the groups of particles with the same base node that the mapping meets. The number depends on the scene alone, not
+/// on threads or lanes, and so do the sorts that follow from it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Groups {
     /// Groups in the first mapping after the last sort; 0 before it.

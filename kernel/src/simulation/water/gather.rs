@@ -29,7 +29,7 @@ struct Nodes<'a> {
 }
 
 impl Cycle {
-    /// Does a task for the water of all bodies, where there is any. Positions are those of the mapping still.
+    /// Gathers the velocity of the water of all bodies, where there is any. Positions are those of the mapping still.
     ///
     /// w += sum S dw, p -= (`K_w`/n) dt sum grad S . (v + n (w - v)).
     ///

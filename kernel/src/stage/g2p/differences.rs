@@ -43,7 +43,7 @@ pub(super) trait Nodes<L> {
 }
 
 impl<L: Lanes> Differences<L> {
-    /// Those of weights, derivatives and affine factors.
+    /// Differences of weights, derivatives and affine factors.
     #[inline(always)]
     pub(super) fn new<const D: usize, const N: usize>(
         w: &[[L; N]; 3],

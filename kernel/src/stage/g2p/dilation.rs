@@ -12,7 +12,7 @@ use crate::layout::Layout;
 use crate::stage::{Mapping, block_at, weights_of};
 use crate::weights::cell_mean_weights;
 
-/// By how much tr L of some particles exceeds its mean over cells, at their positions of now, shared among the axes \[1/s\], into
+/// Excess of tr L of some particles over its mean over cells, at their positions of now, shared among the axes \[1/s\], into
 /// `found`. `upper` takes the velocities of the upper lanes of the nodes.
 #[expect(clippy::too_many_arguments)]
 pub fn excess(
@@ -91,7 +91,7 @@ struct NodeTotals<'a, const D: usize, const N: usize> {
 }
 
 impl<const D: usize, const N: usize> NodeTotals<'_, D, N> {
-    /// By how much tr L exceeds its mean over cells.
+    /// Excess of tr L over its mean over cells.
     #[inline(always)]
     fn of<L: Lanes, const R: usize>(
         &self,

@@ -45,7 +45,7 @@ struct DomainColumns {
     deformation: usize,
     half_length: usize,
     initial: usize,
-    /// That of the stress, where it matters.
+    /// Column of the stress, where it matters.
     stress: Option<usize>,
 }
 
@@ -98,7 +98,7 @@ impl<const D: usize> Kernel for DomainFollow<'_, '_, D> {
     }
 }
 
-/// What the half-lengths at the start are multiplied by.
+/// Factor of the half-lengths at the start.
 #[inline(always)]
 fn factors<L: Lanes, const D: usize>(update: DomainUpdate, f: &Matrix<L>) -> [L; 3] {
     match update {

@@ -134,7 +134,7 @@ struct Component<L> {
     affine: [L; 3],
 }
 
-/// What the components share: factors along a row, products over slow and middle axis for each row, and the rows.
+/// Factors that the components share: those along a row, products over slow and middle axis for each row, and the rows.
 struct Stencil<'a, L: Lanes, const D: usize, const N: usize, const R: usize> {
     /// Weight and derivative along the row.
     w: [L; N],

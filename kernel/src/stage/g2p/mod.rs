@@ -28,7 +28,7 @@ use three_nodes::FactorsOfGroup;
 use update::{Maxima, fault, update};
 use values::InterpolatedValues;
 
-/// What a pass does with the interpolated values.
+/// Use of the interpolated values in a pass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Task {
     /// Add the velocity increments to the particle velocities.
@@ -43,7 +43,7 @@ pub struct Task {
     pub strain: Option<(f64, Configuration)>,
     /// Gradient from the upper lanes of the nodes (remapped velocity of MUSL) instead of the lower ones.
     pub gradient_of_upper: bool,
-    /// What is written to the affine velocity of the particles.
+    /// Affine velocity that is written to the particles.
     pub affine: Affine,
 }
 
@@ -64,9 +64,9 @@ pub struct G2p<'a, 'b> {
     pub lanes: Selected,
     /// Columns of these particles.
     pub columns: &'a mut [&'b mut [f64]],
-    /// Where the columns are.
+    /// Layout of the columns.
     pub layout: &'a Layout,
-    /// How the set sees the grid.
+    /// View of the grid by the set.
     pub mapping: &'a Mapping,
     /// Law of the set.
     pub law: &'a dyn Strain,
@@ -78,9 +78,9 @@ pub struct G2p<'a, 'b> {
     pub nodes: &'a [Line],
     /// Smallest numbers beyond the edges of the mesh per axis \[m\].
     pub beyond: [f64; 3],
-    /// What [`dilation::excess`] found; empty where volumetric strain is that of the particles.
+    /// Result of [`dilation::excess`]; empty where volumetric strain is that of the particles.
     pub excess: &'a [f64],
-    /// What to do.
+    /// Task of the pass.
     pub task: Task,
 }
 
@@ -101,7 +101,7 @@ pub struct ParticleMaxima {
     pub fault: Option<(usize, FaultKind)>,
 }
 
-/// How a particle can go wrong in a step.
+/// Fault of a particle in a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FaultKind {
     /// A value is not a number or infinite.

@@ -16,7 +16,7 @@ pub(super) const MOST: usize = 3;
 pub(super) struct Bases<L: Lanes> {
     /// Particles of the block that have one of them.
     pub count: usize,
-    /// How many there are.
+    /// Number of them.
     pub number: usize,
     /// Index of each.
     first: [usize; MOST],
@@ -25,7 +25,7 @@ pub(super) struct Bases<L: Lanes> {
 }
 
 impl<L: Lanes> Bases<L> {
-    /// Those of a block.
+    /// Base nodes of a block.
     #[inline(always)]
     pub(super) fn of<const D: usize>(block: &Block<L>, mapping: &Mapping) -> Self {
         let index = block.index::<D>(mapping);

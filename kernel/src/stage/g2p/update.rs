@@ -89,7 +89,7 @@ impl<L: Lanes> Maxima<L> {
         }
     }
 
-    /// What these add to what was found of strains.
+    /// Adds these to the findings of strains.
     #[inline(always)]
     pub(super) fn found(&self, of_strain: ParticleMaxima) -> ParticleMaxima {
         ParticleMaxima {
@@ -100,7 +100,7 @@ impl<L: Lanes> Maxima<L> {
     }
 }
 
-/// What went wrong with a particle.
+/// Fault of a particle.
 #[cold]
 pub(super) fn fault<const D: usize>(call: &G2p<'_, '_>, p: usize) -> FaultKind {
     let state: Range<usize> = Layout::VOLUME..Layout::stress(D) + call.layout.stress_components();

@@ -14,9 +14,9 @@ use std::ops::Range;
 pub(super) struct RunRows {
     /// The particles, as numbered in the block.
     pub run: Range<usize>,
-    /// Which plane of the stencil, in space.
+    /// Plane of the stencil, in space.
     pub plane: usize,
-    /// Which rows of the stencil.
+    /// Rows of the stencil.
     pub rows: Range<usize>,
     /// First node of the first of them.
     pub first: usize,
@@ -158,9 +158,9 @@ fn add_rows<
     }
 }
 
-/// What a particle adds to a plane of the stencil: the lines that go with the weights of rows, with their derivatives, and with
-/// their weights and the derivative along them. In the plane rows lie along the slow axis, and without affine terms all is in
-/// the first line.
+/// Terms that a particle adds to a plane of the stencil: the lines that go with the weights of rows, with their derivatives,
+/// and with their weights and the derivative along them. In the plane rows lie along the slow axis, and without affine terms
+/// all is in the first line.
 #[inline(always)]
 fn in_plane<
     L: Lanes,
@@ -217,7 +217,7 @@ const UPPER_LANES: u8 = 0xf0;
 const SLOW: u8 = 0x30;
 const FAST: u8 = 0xc0;
 
-/// Of a line with `b` in some lanes and `a` in the others the lanes in use.
+/// Lanes in use of a line with `b` in some lanes and `a` in the others.
 #[inline(always)]
 fn splat_for<L: Lanes, const PART: u8>(a: f64, b: f64, lanes: u8) -> L {
     match PART {

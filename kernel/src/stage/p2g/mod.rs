@@ -24,7 +24,7 @@ use runs::{GroupCount, Runs};
 use scratch::{P2gSource, Scratch};
 use std::ops::Range;
 
-/// What is carried to the nodes.
+/// Quantities that are carried to the nodes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Carry {
     /// Mass and momentum to the lower lanes, force to the upper ones.
@@ -40,7 +40,7 @@ pub enum Carry {
     /// Force of the mean stress along the axes of the scene to the upper lanes, which hold other forces: with cell means of the
     /// strain operator if `averaged`, else minus that of the usual operator, of which it takes the place.
     MeanStress {
-        /// Which of both.
+        /// True for the averaged one of the two.
         averaged: bool,
     },
 }
@@ -49,9 +49,9 @@ pub enum Carry {
 pub struct P2g<'a> {
     /// Columns of the set.
     pub columns: &'a [Vec<f64>],
-    /// Where the columns are.
+    /// Layout of the columns.
     pub layout: &'a Layout,
-    /// How the set sees the grid.
+    /// View of the grid by the set.
     pub mapping: &'a Mapping,
     /// Particles of each layer, in order, and whether the caller owns the layer; runs do not cross layers.
     pub layers: &'a mut dyn Iterator<Item = (Range<usize>, bool)>,
@@ -59,7 +59,7 @@ pub struct P2g<'a> {
     pub planes: Range<usize>,
     /// The nodes of these planes.
     pub nodes: &'a mut [Line],
-    /// What is carried.
+    /// Quantities that are carried.
     pub carry: Carry,
     /// Rate of viscous damping, f = -rate m v \[1/s\] (Liang et al. 2024, eq. 20); 0 for none.
     pub viscous_rate: f64,
@@ -81,9 +81,9 @@ const RING_GRADIENT: u8 = 4;
 enum SumForm {
     /// Row by row, with weights and derivatives along each axis.
     Rows,
-    /// As products of weights with quotients of derivative and weight.
+    /// Products of weights with quotients of derivative and weight.
     Products,
-    /// As products of weights with what is linear in the distance.
+    /// Products of weights with terms that are linear in the distance.
     Linear,
 }
 
@@ -133,7 +133,7 @@ fn with_gradient<const D: usize, const EXTRA: u8>(nodes: usize, full: bool) -> P
     }
 }
 
-/// By the nodes per axis of the stage, of which hats have two.
+/// Chooses by the nodes per axis of the stage, of which hats have two.
 fn by_nodes<const D: usize, const FULL: bool, const GRADIENT: bool, const EXTRA: u8>(
     nodes: usize,
 ) -> P2gFn {
@@ -271,7 +271,7 @@ pub fn join_with_hoop(line: &mut Line) {
     line[3] = 0.0;
 }
 
-/// Whether a stage leaves a node in two parts, which [`join`] adds.
+/// True if a stage leaves a node in two parts, which [`join`] adds.
 #[must_use]
 pub(crate) fn leaves_parts(axes: usize, full: bool, carry: Carry) -> bool {
     let derivative = match carry {

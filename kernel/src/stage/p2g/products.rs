@@ -46,7 +46,7 @@ impl Products {
         }
     }
 
-    /// Those of a block that begins at particle `at`: distances with affine terms (`FULL`) alone, quotients unless the force
+    /// Factors of a block that begins at particle `at`: distances with affine terms (`FULL`) alone, quotients unless the force
     /// is `linear` in the distance.
     #[inline(always)]
     pub(super) fn fill<L: Lanes, const FULL: bool>(

@@ -17,7 +17,7 @@ pub(super) struct Runs {
 }
 
 impl Runs {
-    /// Those of a block.
+    /// Runs of a block.
     #[inline(always)]
     pub(super) fn of<L: Lanes, const D: usize>(block: &Block<L>, mapping: &Mapping) -> Self {
         let index = block.index::<D>(mapping);
@@ -52,7 +52,7 @@ impl Runs {
         [layer(0), if D == 3 { layer(1) } else { 0 }, layer(D - 1)]
     }
 
-    /// Whether a particle reaches one of some planes.
+    /// True if a particle reaches one of some planes.
     #[inline(always)]
     pub(super) fn reach<const D: usize, const N: usize, const BEFORE: bool>(
         &self,
@@ -65,8 +65,8 @@ impl Runs {
     }
 }
 
-/// How many groups of at most eight particles the runs of a layer would be. The number depends on the particles alone, not on
-/// where blocks begin.
+/// Number of groups of at most eight particles that the runs of a layer would be. The number depends on the particles alone,
+/// not on where blocks begin.
 #[derive(Default)]
 pub(super) struct GroupCount {
     groups: usize,

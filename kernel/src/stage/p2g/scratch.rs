@@ -6,15 +6,15 @@ use crate::layout::Layout;
 use crate::stage::{Block, Mapping, weights_of};
 use crate::weights::cell_mean_weights;
 
-/// Where the quantities come from, and which are wanted.
+/// Source of the quantities, and the choice of them.
 pub(super) struct P2gSource<'a> {
     /// Columns of the set.
     pub columns: &'a [Vec<f64>],
-    /// Where the columns are.
+    /// Layout of the columns.
     pub layout: &'a Layout,
-    /// How the set sees the grid.
+    /// View of the grid by the set.
     pub mapping: &'a Mapping,
-    /// What is carried.
+    /// Quantities that are carried.
     pub carry: Carry,
     /// Rate of viscous damping \[1/s\]; 0 for none.
     pub viscous_rate: f64,

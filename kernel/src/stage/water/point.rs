@@ -21,7 +21,7 @@ pub(crate) struct PointNodes {
 }
 
 impl PointNodes {
-    /// Those of particle `p` of some columns.
+    /// Nodes of particle `p` of some columns.
     #[must_use]
     pub(crate) fn of<C: AsRef<[f64]>>(
         columns: &[C],

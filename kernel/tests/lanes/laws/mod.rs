@@ -22,7 +22,7 @@ const FORWARD: LinearElastic = LinearElastic::with_rate(2.6, 0.3, ObjectiveRate:
 const NEO: NeoHookean = NeoHookean::new(2.6, 0.3);
 const DENSITY: f64 = 1.5;
 
-/// What the lanes compute for one particle.
+/// Result of the lanes for one particle.
 #[derive(Clone, Copy)]
 enum LaneResult {
     /// After a step with a stress before it.

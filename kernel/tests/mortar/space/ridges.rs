@@ -47,7 +47,7 @@ fn crossed_roofs_meet_at_their_edges() {
     assert_eq!(crossing(&upper, &lower, 0.1, 0.1), None);
 }
 
-/// Why they are refused: faces say that a pair of roofs that pass through each other is apart.
+/// Reason of the refusal: by their faces, a pair of roofs that pass through each other is apart.
 #[test]
 fn faces_do_not_see_crossed_roofs_in_time() {
     let [upper, lower] = roofs(-0.02);

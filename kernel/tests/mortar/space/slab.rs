@@ -103,8 +103,8 @@ fn both(slave: &Boundary, master: &Boundary, law: &PairLaw, by: PlanePoint) -> M
     }
 }
 
-/// By how much the forces of the vertices of a line differ, per metre of thickness, from those of both vertices of the
-/// slab; across the slab there are none.
+/// Difference of the forces of the vertices of a line, per metre of thickness, and of those of both vertices of the slab;
+/// across the slab there are none.
 fn difference(plane: &[PlanePoint], space: &[Point], pairs: &[[usize; 2]]) -> Vec<f64> {
     plane
         .iter()

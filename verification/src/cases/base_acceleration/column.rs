@@ -15,7 +15,7 @@ const AIR: usize = 2; // Empty cells above the column
 const INTERVAL: f64 = 2e-5;
 const SAMPLES: u64 = 400; // Number of times, about, at which velocities are compared
 
-/// How the base moves.
+/// Motion of the base.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Shaking {
     /// The manual's sine; its acceleration jumps at the start.
@@ -180,7 +180,7 @@ impl Column {
     /// of the scene (1 for the right reference).
     ///
     /// # Errors
-    /// Why a step failed.
+    /// If a step fails.
     pub fn run(
         &self,
         simulation: &mut Simulation,

@@ -10,7 +10,7 @@ const WIDTH: f64 = 0.3; // Width of the block along x and y [m]
 /// Empty cells on every side. The base travels 0.19 m and the top of the soft block further.
 const AIR: usize = 5;
 
-/// What the manual's text and its input file say differently.
+/// Reading where the manual's text and its input file differ.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Block {
     /// Young's modulus \[Pa\].
@@ -24,14 +24,14 @@ pub struct Block {
 }
 
 impl Block {
-    /// As written in the text.
+    /// The problem as written in the text.
     pub const TEXT: Self = Self {
         young: 100e6,
         height: 0.8,
         corner: 0.4,
         dt: 1e-4,
     };
-    /// As printed in the input file.
+    /// The problem as printed in the input file.
     pub const INPUT: Self = Self {
         young: 10e6,
         height: 1.0,
@@ -74,19 +74,19 @@ impl Block {
     }
 }
 
-/// How far velocities at the base are from the record, over its amplitude, at the worst time of the worst axis.
+/// Deviation of the velocities at the base from the record, over its amplitude, at the worst time of the worst axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Distance {
-    /// Of the field at the base plane: extrapolated from the means of the two lowest layers.
+    /// Velocity of the field at the base plane: extrapolated from the means of the two lowest layers.
     pub plane: f64,
-    /// Of the mean of the lowest particles, h/4 above the base.
+    /// Velocity of the mean of the lowest particles, h/4 above the base.
     pub lowest: f64,
 }
 
 /// Runs the whole record; `frequency` times that of the record is the reference (1 for the right one).
 ///
 /// # Errors
-/// Why a step failed.
+/// If a step fails.
 pub fn run(
     simulation: &mut Simulation,
     frequency: f64,

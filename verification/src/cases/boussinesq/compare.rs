@@ -25,13 +25,13 @@ struct Sample {
 }
 
 impl Sample {
-    /// Whether it is at a distance of at least `radius` (m) from the middle of the load.
+    /// True if it is at a distance of at least `radius` (m) from the middle of the load.
     fn is_outside(&self, radius: f64) -> bool {
         is_outside(&self.x, radius)
     }
 }
 
-/// Whether a place (m) is at a distance of at least `radius` (m) from the middle of the load.
+/// True if a place (m) is at a distance of at least `radius` (m) from the middle of the load.
 pub fn is_outside(x: &[f64; 3], radius: f64) -> bool {
     let r2 = (x[0] - MIDDLE).powi(2) + (x[1] - MIDDLE).powi(2) + (x[2] - SIDE).powi(2);
     r2 >= radius * radius

@@ -19,12 +19,12 @@ pub const PATCH: f64 = 0.25;
 /// Middle of the top along x and y \[m\].
 pub const MIDDLE: f64 = 0.5;
 
-/// How the load reaches the top.
+/// Application of the load to the top.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Loading {
     /// Evenly over a square.
     Patch,
-    /// On one node.
+    /// Load on one node.
     Node,
 }
 

@@ -8,7 +8,7 @@ pub(super) const FROM_REFERENCE: &str = "vertices from the reference, rms";
 
 /// The vertices when the beam hangs.
 pub(super) struct HangingShape {
-    /// From where they started \[m\].
+    /// Displacements from the start \[m\].
     displacements: Vec<[f64; 2]>,
     /// Distances to where their particles take them \[m\].
     distances: Vec<f64>,

@@ -15,7 +15,7 @@ const FRICTION: f64 = 0.3; // Friction of the blocks
 pub const COURANT: f64 = 0.3;
 const AIR: usize = 3; // Empty cells beyond the far ends
 
-/// What collides.
+/// Pair that collides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kind {
     /// Bars end to end; the second is so many times as long.
@@ -29,7 +29,7 @@ pub enum Kind {
 pub struct Variant {
     /// Its word.
     pub name: &'static str,
-    /// What collides.
+    /// Pair that collides.
     pub kind: Kind,
     /// Density of the second body over that of the first.
     pub density: f64,

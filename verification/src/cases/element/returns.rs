@@ -230,7 +230,7 @@ pub(super) fn quantities(
     ])
 }
 
-/// What is asked of them.
+/// Their gates.
 pub(super) fn gates(runs: &Runs<'_>, rung: &Rung) -> Vec<Gate> {
     let round_off = "round-off of the state before";
     let asked = [

@@ -103,7 +103,7 @@ pub(super) const DRAG_OF_BINGHAM: Problem = Problem {
     names: &[AT_LAST, STRESS],
 };
 
-/// What drives a flow.
+/// Drive of a flow.
 #[derive(Clone, Copy, PartialEq)]
 enum FlowDrive {
     ByForce,

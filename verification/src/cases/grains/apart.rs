@@ -15,7 +15,7 @@ pub struct Room {
 }
 
 impl Room {
-    /// How far a point is from the nearest side \[m\]; negative beyond it.
+    /// Distance of a point from the nearest side \[m\]; negative beyond it.
     fn distance(&self, p: &[f64; 3]) -> f64 {
         let [along, up] = [(self.x, p[0]), (self.y, p[1])].map(|(side, at)| {
             let [low, high] = side;
@@ -88,7 +88,7 @@ fn box_of(points: &[[f64; 3]]) -> [f64; 4] {
     })
 }
 
-/// Whether a point lies in a box that is larger by `reach` \[m\] on all sides.
+/// True if a point lies in a box that is larger by `reach` \[m\] on all sides.
 fn is_within(of: &[f64; 4], x: &[f64; 3], reach: f64) -> bool {
     (of[0] - reach..=of[1] + reach).contains(&x[0])
         && (of[2] - reach..=of[3] + reach).contains(&x[1])
@@ -99,7 +99,7 @@ fn sides(polygon: &[[f64; 3]]) -> impl Iterator<Item = (&[f64; 3], &[f64; 3])> {
     polygon.iter().zip(polygon.iter().cycle().skip(1))
 }
 
-/// Whether a point lies in a polygon: a ray from it crosses the polygon an odd number of times.
+/// True if a point lies in a polygon: a ray from it crosses the polygon an odd number of times.
 fn is_inside(polygon: &[[f64; 3]], x: &[f64; 3]) -> bool {
     let crossed = sides(polygon).filter(|(a, b)| {
         (a[1] > x[1]) != (b[1] > x[1])

@@ -38,7 +38,7 @@ pub(super) struct Watch {
     smallest: f64,
     /// Way of the plate at the first force on the floor \[m\].
     loaded: Option<f64>,
-    /// Where all stand at the start, in the middle and at the end.
+    /// Drawings of all bodies at the start, in the middle and at the end.
     pub(super) drawings: Vec<Drawing>,
 }
 
@@ -115,7 +115,7 @@ impl Watch {
         Ok(watch)
     }
 
-    /// What the sums amount to.
+    /// Quantities that follow from the sums.
     pub(super) fn quantities(&self, simulation: &Simulation) -> Vec<Quantity> {
         let p = simulation.momentum();
         let left: [f64; 2] = std::array::from_fn(|axis| {

@@ -5,8 +5,8 @@ use super::{
 };
 use crate::cases::prelude::*;
 
-/// What friction adds to each of the figures, from runs of the other implementation with one and the same slave, and how
-/// far off it may be \[N\]. Without friction it is none: half of it is the most that tells the two apart.
+/// Part of each figure that friction adds, from runs of the other implementation with one and the same slave, and its tolerance
+/// \[N\]. Without friction it is none: half of it is the most that tells the two apart.
 const ADDED: [(&str, f64, f64); 3] = [
     (PRESSED, 5.4, 2.7),
     (MEAN, -5.0, 2.5),

@@ -13,7 +13,7 @@ use crate::exact::rolling_disk::RollingDisk as Rigid;
 
 /// The square of the strain rho omega² R²/E of the disk that rolls, at the end of its way: 13.08/s.
 pub(super) const SECOND_ORDER: f64 = 0.0026;
-/// By how much of a cell the resultant of the pressure may lie beside the middle of the contact. Friction is a tenth of it, so
+/// Largest distance of the resultant of the pressure from the middle of the contact, in cells. Friction is a tenth of it, so
 /// that its moment counts ten times; `slipping-disk` judges a disk that is stiffer.
 const BESIDE: f64 = 0.015;
 const SPACING: f64 = TAU * RADIUS / 64.0; // Spacing of the disk's vertices [m]

@@ -24,7 +24,7 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// For cells of `h` (m).
+    /// Frame for cells of `h` (m).
     pub fn new(h: f64, turned: bool) -> Self {
         let tilt = TILT.to_radians();
         let turn = if turned { TURN.to_radians() } else { 0.0 };

@@ -1,10 +1,9 @@
 //! Blocks on a held base under inclined gravity: settled without friction, then released.
 //!
-//! What goes before the release is not judged: gravity acts normal to the base, nothing rubs, local damping takes the
-//! motion out of the blocks, which start with the stress of their weight. At the release damping ends and gravity and
-//! friction are those of the scene, so that the force on the base is the weight from the first step on and what is
-//! left to judge is friction. An incline may be tilted before: friction acts and
-//! gravity along it grows, so slowly that the blocks do not swing.
+//! The time before the release is not judged: gravity acts normal to the base, nothing rubs, local damping takes the motion out
+//! of the blocks, which start with the stress of their weight. At the release damping ends and gravity and friction are those
+//! of the scene, so that the force on the base is the weight from the first step on and what is left to judge is friction. An
+//! incline may be tilted before: friction acts and gravity along it grows, so slowly that the blocks do not swing.
 
 use std::sync::Arc;
 
@@ -29,7 +28,7 @@ pub const DENSITY: f64 = 2500.0;
 /// Gravity of the manual along and into the incline \[m/s²\].
 pub const GRAVITY: f64 = 7.07;
 const WIDTH: f64 = 14.0; // Width of the base of the manual, along the third axis [m]
-/// From where to where a block lies along that axis \[m\].
+/// Range of a block along that axis \[m\].
 const ACROSS: [f64; 2] = [2.0, 12.0];
 const DAMPING: f64 = 0.6; // Factor of local damping before the release
 /// Periods of vertical motion before the release. Damping takes `exp(-2 * 0.6)` of the motion in each.
@@ -51,7 +50,7 @@ pub const CREEP: &str = "creep velocity over free velocity";
 /// A block.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Block {
-    /// From where to where it lies along the incline at the start \[m\].
+    /// Range along the incline at the start \[m\].
     pub along: [f64; 2],
     /// Coefficient of friction.
     pub friction: f64,
@@ -76,7 +75,7 @@ pub struct Incline {
     pub blocks: Vec<Block>,
     /// Gravity along the incline and into it \[m/s²\].
     pub gravity: [f64; 2],
-    /// Whether the base is held; else it slides between its rollers, as in the manual.
+    /// True if the base is held; else it slides between its rollers, as in the manual.
     pub held: bool,
     /// Factor of local damping after the release.
     pub damping: Option<f64>,
@@ -163,7 +162,7 @@ impl Incline {
         scene
     }
 
-    /// What settling asks of a simulation: the stress of the weight of what lies above, where the base is held.
+    /// Options of a simulation that settles: the stress of the weight above, where the base is held.
     pub fn options(&self, options: Options) -> Options {
         if !self.held {
             return options;
@@ -185,7 +184,7 @@ impl Incline {
     /// Settles the blocks of a simulation of this incline where the base is held, and releases them.
     ///
     /// # Errors
-    /// Why a step failed.
+    /// If a step fails.
     pub fn release(
         &self,
         simulation: &mut Simulation,
@@ -274,7 +273,7 @@ impl Track {
 /// release is at that time. One track per block.
 ///
 /// # Errors
-/// Why a step failed.
+/// If a step fails.
 pub fn follow(
     incline: &Incline,
     simulation: &mut Simulation,
@@ -288,11 +287,11 @@ pub fn follow(
     follow_along(directions, &blocks, into, simulation, observer, |_| ())
 }
 
-/// As [`follow`] where the unit vectors `directions` point along the incline and out of it. `blocks` are indices of
+/// Follows as [`follow`] where the unit vectors `directions` point along the incline and out of it. `blocks` are indices of
 /// bodies, `into` gravity into the incline (m/s²); `after` sees the simulation after each step.
 ///
 /// # Errors
-/// Why a step failed.
+/// If a step fails.
 pub fn follow_along(
     directions: [Vector; 2],
     blocks: &[usize],

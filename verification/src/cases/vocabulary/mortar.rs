@@ -12,7 +12,7 @@ use proctor_scene::{
 use crate::settings::{Method, Settings};
 use proctor_scene::simulation::Simulation;
 
-/// Why no other solver can run a case.
+/// Reason for which no other solver can run a case.
 pub const NO_GUEST: &str = "mortar contact, which the manuals do not know, is what it is about";
 
 /// The paper's method.

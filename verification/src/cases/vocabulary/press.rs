@@ -14,7 +14,7 @@ pub struct Press {
     cell: f64,
     /// Largest x of a node that presses \[m\].
     reach: f64,
-    /// Whether the nodes also hold what they press across.
+    /// True if the nodes are also held across the direction of the press.
     rough: bool,
     /// Velocity upwards \[m/s\] at a time \[s\].
     velocity: Box<dyn Fn(f64) -> f64 + Send + Sync>,

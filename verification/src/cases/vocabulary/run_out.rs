@@ -29,20 +29,20 @@ pub const UNBOOKED: &str = "taken at planes and between particles and nodes, ove
 pub const FRONT: &str = "front at the end";
 pub const TOP: &str = "highest point at the end";
 
-/// Where a run is at a time.
+/// State of a run at a time.
 #[derive(Clone, Copy, Debug)]
 pub struct Place {
     /// Time \[s\].
     pub time: f64,
-    /// How far the heap reaches \[m\].
+    /// Reach of the heap \[m\].
     pub front: f64,
     /// Its highest point \[m\].
     pub top: f64,
 }
 
-/// What a run of something that falls was seen to do.
+/// Observations of a run of something that falls.
 pub struct RunOut {
-    /// At equal times, the start among them.
+    /// Places at equal times, the start among them.
     pub places: Vec<Place>,
     /// Frames at five times below each other.
     pub drawing: Drawing,
@@ -287,7 +287,7 @@ pub fn outlines(cells: &BTreeSet<[i64; 2]>) -> Vec<Vec<[i64; 2]>> {
     closed
 }
 
-/// What is said of a run, after `what` it came to, and judges nothing.
+/// Words on a run, after the ending `what`, which judge nothing.
 pub fn said(runs: &Runs<'_>, label: &str, what: &str) -> String {
     format!(
         "{label}: {what}; planes and the transfer took {:.0} % of what fell",

@@ -30,7 +30,7 @@ pub fn tries(size: Size, method: Method) -> bool {
 /// A scene of the plane, or its slab.
 ///
 /// # Errors
-/// Why it has no slab.
+/// If it has no slab.
 pub fn of(plane: Scene, is_slab: bool) -> Result<Scene, Failure> {
     Ok(if is_slab { slab(&plane)? } else { plane })
 }

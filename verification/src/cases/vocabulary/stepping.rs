@@ -16,10 +16,10 @@ pub const DISPLACEMENT: &str = "L2(u)";
 /// Name of the error of the stress.
 pub const STRESS: &str = "L2(stress)";
 
-/// Does a step, no further than `stop` (s), unless the observer ends the run.
+/// Runs a step, no further than `stop` (s), unless the observer ends the run.
 ///
 /// # Errors
-/// Why the step failed, that the run is not to be trusted, or that it was stopped.
+/// If the step fails, the run is not to be trusted, or it was stopped.
 pub fn step(
     simulation: &mut Simulation,
     stop: f64,
@@ -31,7 +31,7 @@ pub fn step(
     Ok(simulation.step(stop)?)
 }
 
-/// Does `steps` equal steps.
+/// Runs `steps` equal steps.
 ///
 /// # Errors
 /// As [`step`].
@@ -193,7 +193,7 @@ impl Run<'_> {
         }
     }
 
-    /// Does all steps of a scene with equal ones.
+    /// Runs all steps of a scene with equal ones.
     ///
     /// # Errors
     /// A step that fails, and an observer that stops the run.
@@ -236,7 +236,7 @@ impl Run<'_> {
 /// Sets up a simulation of a scene, steps and compares it by `run`.
 ///
 /// # Errors
-/// Why the scene is refused, or what `run` says.
+/// If the scene is refused, or the error of `run`.
 pub fn simulate(
     mut scene: Scene,
     options: &Options,

@@ -16,7 +16,7 @@ impl Vibration<'_> {
     /// Runs to the end of the scene: the frequency under the name of the quantity, beside the exact one, and the amplitude in time.
     ///
     /// # Errors
-    /// Where a step fails, and where the amplitude has not three zeros.
+    /// If a step fails, or the amplitude has not three zeros.
     pub fn compare(&self, run: Run<'_>, quantity: &'static str) -> Result<Measurements, Failure> {
         let end = run.simulation.scene().time;
         let mut samples: Vec<(f64, f64)> = vec![];

@@ -12,9 +12,9 @@ use crate::exact::two_slopes::TwoSlopes;
 pub const VON_MISES: &str = "von Mises";
 /// Mohr-Coulomb without friction.
 pub const TRESCA: &str = "Tresca";
-/// With less dilation than friction.
+/// Mohr-Coulomb's law with less dilation than friction.
 pub const MOHR_COULOMB: &str = "Mohr-Coulomb";
-/// With friction and dilation of the same soil, matched in plane strain.
+/// Drucker-Prager's law with friction and dilation of the same soil, matched in plane strain.
 pub const DRUCKER_PRAGER: &str = "Drucker-Prager";
 
 /// All variants.
@@ -82,7 +82,7 @@ impl PlasticSolid {
         }
     }
 
-    /// Where the law that does not harden yields, and how it flows.
+    /// Yield surface and flow of the law that does not harden.
     pub fn surface(&self) -> Surface {
         match self.variant {
             TRESCA => Surface::MohrCoulomb([0.0, SHEAR_STRENGTH * self.strength, 0.0]),

@@ -23,11 +23,11 @@ const REACH: f64 = 12.0;
 /// Integrals of the three building blocks over an image, times 2 pi.
 #[derive(Debug, Clone, Copy, Default)]
 struct Blocks {
-    /// Of `1/R`.
+    /// Sum of `1/R`.
     potential: f64,
-    /// Of the gradient along `x, y, d`.
+    /// Sum of the gradient along `x, y, d`.
     gradient: [f64; 3],
-    /// Of `(x, y)/(R (R + d))`.
+    /// Sum of `(x, y)/(R (R + d))`.
     lateral: [f64; 2],
 }
 

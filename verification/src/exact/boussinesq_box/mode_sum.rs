@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use crate::exact::special::{cos_pi, sin_pi, sinc_pi};
 
-/// How a field varies along an axis: `cos(m pi x / a)` or `sin(m pi x / a)`.
+/// Variation of a field along an axis: `cos(m pi x / a)` or `sin(m pi x / a)`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Parity {
     Cos,

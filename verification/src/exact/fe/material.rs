@@ -13,7 +13,7 @@ pub struct NeoHookean {
 }
 
 impl NeoHookean {
-    /// From Young's modulus \[Pa\] and Poisson's ratio at small strain, and density \[kg/m³\].
+    /// Material of Young's modulus \[Pa\] and Poisson's ratio at small strain, and density \[kg/m³\].
     #[must_use]
     pub fn from_young(young: f64, poisson: f64, density: f64) -> Self {
         Self {
@@ -23,7 +23,7 @@ impl NeoHookean {
         }
     }
 
-    /// From bulk and shear modulus \[Pa\], and density \[kg/m³\].
+    /// Material of bulk and shear modulus \[Pa\], and density \[kg/m³\].
     #[must_use]
     pub fn from_bulk(bulk: f64, shear: f64, density: f64) -> Self {
         Self {

@@ -4,8 +4,8 @@
 //! and nothing can drift: forces follow from the stored energy of the present positions alone. Lumped mass, central
 //! differences. It is as small as the cantilever, the ring and the indenter need, and shares nothing with the kernel.
 //!
-//! What it leaves out: contact other than with a mirror plane or a circle, locking (bending and nearly incompressible
-//! materials need fine meshes, or extrapolation over two).
+//! Left out are: contact other than with a mirror plane or a circle, locking (bending and nearly incompressible materials need
+//! fine meshes, or extrapolation over two).
 
 mod barrier;
 mod indenter;

@@ -19,12 +19,12 @@ struct GaussPoint {
     volume: f64,
 }
 
-/// Why a body could not be moved on.
+/// Reason for which a body could not be moved on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Failure {
     /// The element that turned inside out.
     pub element: usize,
-    /// When \[s\].
+    /// Time \[s\].
     pub time: f64,
 }
 
@@ -52,14 +52,14 @@ pub struct Model {
     pub velocities: Vec<[f64; 2]>,
     /// Masses of the nodes \[kg\].
     pub masses: Vec<f64>,
-    /// Which components of the positions are held.
+    /// True for components of the positions that are held.
     pub held: Vec<[bool; 2]>,
     /// Acceleration of gravity \[m/s²\].
     pub gravity: [f64; 2],
     /// Barrier against the mirror image, which lies at positive x, from the outer edges; the gap is twice the distance
     /// from the plane.
     pub mirror: Option<Barrier>,
-    /// What presses on the outer edges.
+    /// Indenter that presses on the outer edges.
     pub indenter: Option<Indenter>,
     /// Rate of viscous damping, a force of -rate m v \[1/s\].
     pub damping: f64,

@@ -26,7 +26,7 @@ pub static ROWS: &[Extreme] = &[
 /// Steps at rest of the default method; of the others a hundredth.
 const AT_REST_FOR: u64 = 100_000;
 
-/// Why bits must be equal.
+/// Reason for which bits must be equal.
 const NO_FORCE: &str = "without a force nothing may move, not even by round-off";
 const LOCAL: &str = "positions are kept from the origin on, and all numbers of the scene are numbers of the machine there";
 const ORDER: &str =

@@ -23,7 +23,7 @@ const STANDS: u64 = 1000;
 /// Largest error of a stress that is carried exactly, over the largest stress: round-off of many steps, in stresses and
 /// densities that differ by nine digits.
 const STANDS_TO: f64 = 1e-10;
-/// Why it stands.
+/// Reason for which it stands.
 const IN_BALANCE: &str = "particles that fill their cells carry a stress that is linear in each layer exactly; round-off alone moves them";
 
 /// A layer of a column: its height in cells, Young's modulus \[Pa\] and density \[kg/m³\].

@@ -27,7 +27,7 @@ pub(super) struct Falls {
 }
 
 impl Falls {
-    /// Of nothing yet.
+    /// Falls of that name, none yet.
     pub(super) fn named(name: &str, up: usize) -> Self {
         Self {
             up,

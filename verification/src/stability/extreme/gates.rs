@@ -32,7 +32,7 @@ impl GateName {
 }
 
 impl GateBound {
-    /// Why this bound.
+    /// Adds the reason of the bound.
     pub fn because(self, reason: &'static str) -> Gate {
         Gate { reason, ..self.0 }
     }
@@ -55,7 +55,7 @@ impl Gate {
         self.value += f64::from(u8::from(found));
     }
 
-    /// With the value that was found.
+    /// Sets the value that was found.
     pub(super) fn found(self, value: f64) -> Self {
         Self { value, ..self }
     }
@@ -73,7 +73,7 @@ pub struct Conservation {
 }
 
 impl Conservation {
-    /// Of nothing yet.
+    /// Conservation of that name, of no step yet.
     pub fn named(what: &str) -> Self {
         Self {
             momentum: [0.0; 3],
@@ -93,7 +93,7 @@ impl Conservation {
     /// Sets the next run in motion, and takes what it begins with.
     ///
     /// # Errors
-    /// Why it does not start.
+    /// If it does not start.
     pub fn start(&mut self, scene: &Scene, options: &Options) -> Result<Simulation, RowFault> {
         let simulation = start(scene, options)?;
         self.momentum = simulation.momentum();

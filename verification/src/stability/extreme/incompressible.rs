@@ -154,7 +154,7 @@ fn swing(
     Ok(share / whole * frequency / SPEED)
 }
 
-/// How far the swing is off at each ratio, over its exact value.
+/// Deviation of the swing at each ratio, over its exact value.
 fn off(weighting: Weighting, volumetric_strain: VolumetricStrain) -> Result<[f64; 3], RowFault> {
     let mut all = [0.0; 3];
     for (off, poisson) in all.iter_mut().zip(RATIOS) {
@@ -163,7 +163,7 @@ fn off(weighting: Weighting, volumetric_strain: VolumetricStrain) -> Result<[f64
     Ok(all)
 }
 
-/// That the swing is as exact at all ratios.
+/// Gate that the swing is as exact at all ratios.
 fn as_exact(name: &str, [own, others @ ..]: [f64; 3]) -> Vec<Gate> {
     let of = |poisson| {
         gate(format!(

@@ -51,7 +51,7 @@ macro_rules! entries {
     };
 }
 
-/// What a finite number must be in.
+/// Range of each number that is finite.
 const NUMBERS: &[Entry] = entries! {
     "time": |s, x| s.time = x;
     "gravity[1]": |s, x| s.gravity[1] = x;

@@ -73,7 +73,7 @@ pub struct Extreme {
     pub what: &'static str,
     /// The behaviour of a good code.
     pub required: &'static str,
-    /// Why it fails today, where it does: shown beside the row.
+    /// Cause of the failure, for a row that fails today: shown beside the row.
     pub cause: Option<&'static str>,
     /// Runs it.
     pub judge: fn() -> RowVerdict,
@@ -101,7 +101,7 @@ impl Extreme {
         Self { required, ..self }
     }
 
-    /// Why it fails today.
+    /// Adds the cause of today's failure.
     const fn because(self, cause: &'static str) -> Self {
         Self {
             cause: Some(cause),
@@ -116,16 +116,16 @@ type RowVerdict = Result<Finding, RowFault>;
 /// A gate of a row, or what should not have come.
 type Judgement = Result<Gate, RowFault>;
 
-/// What a row gave.
+/// Result of a row.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Finding {
-    /// What must hold; all of it, or the row has failed.
+    /// Gates of the row; if one fails, the row has failed.
     pub gates: Vec<Gate>,
     /// Messages of what was refused, or stopped with a typed error, as it should be.
     pub refusals: Vec<String>,
 }
 
-/// How a row ended.
+/// Ending of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ending {
     /// It ran, and physics holds.
@@ -166,19 +166,19 @@ impl Finding {
         Self::default().and(gates)
     }
 
-    /// With more that must hold.
+    /// Adds gates that must hold.
     fn and(mut self, gates: impl IntoIterator<Item = Gate>) -> Self {
         self.gates.extend(gates);
         self
     }
 
-    /// With messages of what was refused.
+    /// Adds messages of refusals.
     fn refusing(mut self, refusals: Vec<String>) -> Self {
         self.refusals.extend(refusals);
         self
     }
 
-    /// How the row ended.
+    /// Ending of the row.
     #[must_use]
     pub fn ending(&self) -> Ending {
         if !self.gates.iter().all(Gate::passed) || self.gates.is_empty() && self.refusals.is_empty()

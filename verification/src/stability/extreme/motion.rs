@@ -18,7 +18,7 @@ const FLIGHT: [f64; 3] = [0.9, 0.3, 0.0];
 /// Largest speed of it.
 const SPEED: f64 = 0.9;
 
-/// Whether round-off at nodes of next to no mass reaches the particles undiminished, so that a stiff body multiplies it.
+/// True if round-off at nodes of next to no mass reaches the particles undiminished, so that a stiff body multiplies it.
 fn light_nodes_act(method: Method) -> bool {
     method.scheme == StressScheme::Usl || method.transfer != TransferKind::Flip
 }

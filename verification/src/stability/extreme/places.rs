@@ -149,7 +149,7 @@ fn change(first: [f64; 2], method: Method, count: u64) -> Result<f64, RowFault> 
     Ok(most)
 }
 
-/// Why an ulp may not matter.
+/// Reason for which an ulp may not matter.
 const CONTINUOUS: &str = "functions and gradients are continuous: an ulp of 9e-16 of a cell is multiplied by slopes of a few per \
                           cell; 5d: 1e-12";
 

@@ -7,7 +7,7 @@ pub static ROWS: &[Extreme] = &[Extreme::of("not-finite-state", not_finite_state
     .with("a velocity, a stress, a deformation or a force becomes NaN or infinite")
     .must("the run stops in the same step, and goes on from the state before")];
 
-/// What goes wrong at the start of one particle.
+/// Faults at the start of one particle.
 const FAULTS: [fn(&mut InitialState, f64); 3] = [
     |state, x| state.velocity[1] = x,
     |state, x| state.stress[0] = x,

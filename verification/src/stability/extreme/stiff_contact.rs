@@ -26,7 +26,7 @@ pub static ROWS: &[Extreme] = &[
         .because(STRAINED),
 ];
 
-/// Why particles come nearer to a surface than a penalty should let them.
+/// Reason for which particles come nearer to a surface than a penalty should let them.
 const STRAINED: &str = "a surface holds the face of a particle, so that its centre comes nearer by what the half of it between them is \
              strained, a fortieth of a cell here; the penalty acts where contact gives no impulse";
 

@@ -14,14 +14,14 @@ use std::fmt;
 
 /// Round-off of some thousand steps, over what it is compared with.
 pub const ROUND_OFF: f64 = 1e-12;
-/// Why what should not change may change by [`ROUND_OFF`].
+/// Reason for which a value that should not change may change by [`ROUND_OFF`].
 pub const ONLY_ROUND_OFF: &str = "exact but for the round-off of some thousand steps";
-/// Why the kernel's critical step must be that of the formula.
+/// Reason for which the kernel's critical step must be that of the formula.
 pub const STEP_OF_FASTEST: &str =
     "the critical step is C h/(c + |v|) with the fastest wave of any particle";
 /// Energy over that at the start from which a run is unstable.
 pub const GROWN: f64 = 2.0;
-/// Why energy may not double.
+/// Reason for which energy may not double.
 pub const NO_GROWTH: &str = "energy may swing by what half a step between speeds and forces does to it; an unstable run \
      doubles it again and again";
 
@@ -194,7 +194,7 @@ pub fn method(scene: &Scene) -> String {
 /// Checks a scene and sets it in motion.
 ///
 /// # Errors
-/// Why it does not start.
+/// If it does not start.
 pub fn start(scene: &Scene, options: &Options) -> Result<Simulation, RowFault> {
     let refused = |error| unexpected(method(scene) + ": refused", error);
     scene.simulate(options).map_err(refused)
@@ -209,7 +209,7 @@ pub fn step(simulation: &mut Simulation, stop: f64) -> Result<StepInfo, RowFault
     stepped.map_err(|error| unexpected(method(simulation.scene()), error))
 }
 
-/// Does so many steps.
+/// Runs so many steps.
 ///
 /// # Errors
 /// The first that fails.
@@ -220,7 +220,7 @@ pub fn steps(simulation: &mut Simulation, count: u64) -> Result<(), RowFault> {
     Ok(())
 }
 
-/// Does so many steps and looks at each.
+/// Runs so many steps and looks at each.
 ///
 /// # Errors
 /// The first that fails.
@@ -260,7 +260,7 @@ pub fn run_to(
     Ok(())
 }
 
-/// That the kernel does not doubt a sound run.
+/// Checks that the kernel does not doubt a sound run.
 ///
 /// # Errors
 /// The balance that is off.

@@ -104,7 +104,7 @@ impl NodalStiffness {
     }
 }
 
-/// By how much a gap may close in one step \[m\]: half the critical gap, and from afar down to half of it. No vertex then
+/// Distance by which a gap may close in one step \[m\]: half the critical gap, and from afar down to half of it. No vertex then
 /// passes through the layer in which the contact pushes without having been pushed.
 #[must_use]
 pub fn allowed_approach(gap: f64, critical_gap: f64) -> f64 {
@@ -118,7 +118,7 @@ pub struct ClosingRate {
     pub vertex: Option<usize>,
     /// Speed at which the gap closes \[m/s\].
     pub speed: f64,
-    /// By how much it may close in one step \[m\].
+    /// Distance by which it may close in one step \[m\].
     pub allowed: f64,
 }
 

@@ -176,8 +176,8 @@ impl Boundary {
         Sites::new(self.points.len(), &self.segments, &smooth)
     }
 
-    /// Where the polylines have normals: at each vertex, and at one where they turned by more than 30 degrees at the start
-    /// once for each side.
+    /// Sites of the normals of polylines: each vertex, and one where they turned by more than 30 degrees at the start once for
+    /// each side.
     #[must_use]
     pub fn sites(&self) -> &Sites<2> {
         &self.sites

@@ -20,7 +20,7 @@ pub trait Elements<const D: usize, const T: usize>: Sync {
     /// Length of the longest segment or edge \[m\].
     fn longest(&self) -> f64;
 
-    /// Where this boundary has normals.
+    /// Sites of the normals of this boundary.
     fn sites(&self) -> &Sites<D>;
 
     /// Outward unit normals of the sites, means of those of their elements (eq. 41), into a list that is used again.
@@ -63,7 +63,7 @@ pub trait Elements<const D: usize, const T: usize>: Sync {
         None
     }
 
-    /// Where edges of this slave and a master meet at a distance between `-depth` and `reach` \[m\], which contact of
+    /// Place where edges of this slave and a master meet at a distance between `-depth` and `reach` \[m\], which contact of
     /// elements does not see, and the distance. In the plane there are none.
     fn edges_that_meet(
         &self,

@@ -6,7 +6,7 @@ use proctor_geometry::shape::{Shape, Vector};
 use std::f64::consts::TAU;
 use std::fmt;
 
-/// Why a shape gives no polyline.
+/// Reason for which a shape gives no polyline.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum OutlineError {
     /// The length of a segment is not a positive number \[m\].

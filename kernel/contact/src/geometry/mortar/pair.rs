@@ -16,7 +16,7 @@ pub struct PairLaw {
     pub friction: Option<Friction>,
     /// Detection of contact.
     pub detection: Detection,
-    /// Where the master is looked for.
+    /// Search of the master.
     pub search: MasterSearch,
 }
 
@@ -40,7 +40,7 @@ pub struct VertexContact<const D: usize, const T: usize> {
     pub traction: [f64; T],
     /// Length, in space area, of the slave that belongs to the site: the row sum of D \[m, in space m²\].
     pub measure: f64,
-    /// By how much slave and master came closer in the last step \[m\].
+    /// Approach of slave and master in the last step \[m\].
     pub approach: f64,
     /// Speed at which they come closer now \[m/s\].
     pub closing: f64,
@@ -115,7 +115,7 @@ pub struct PairSurfaces<'a, B, const D: usize> {
 pub struct StepAhead<'a, const D: usize> {
     /// Its length \[s\].
     pub time: f64,
-    /// By how much the velocity of the slave's vertices changes at its beginning where nothing touches them \[m/s\].
+    /// Change of the velocity of the slave's vertices at its beginning where nothing touches them \[m/s\].
     pub slave_kick: &'a [PointIn<D>],
     /// The same of the master's vertices.
     pub master_kick: &'a [PointIn<D>],

@@ -15,11 +15,11 @@ pub enum Detection {
     /// Integrals over the parts of elements that face each other.
     #[default]
     Mortar,
-    /// At the sites of the slave, each with its share of its elements.
+    /// Search at the sites of the slave, each with its share of its elements.
     NodeToSegment,
 }
 
-/// Where the master is looked for along the slave's normals.
+/// Search of the master along the slave's normals.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MasterSearch {
     /// Largest gap \[m\].

@@ -75,7 +75,7 @@ impl Elements<2, 1> for Boundary {
     }
 }
 
-/// Where the ray from a point along a direction meets a master segment.
+/// Point where the ray from a point along a direction meets a master segment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Projection {
     /// Position on the segment, 0 at its first vertex and 1 at its second.

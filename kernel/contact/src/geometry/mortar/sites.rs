@@ -16,7 +16,7 @@ pub struct Sites<const D: usize> {
 }
 
 impl<const D: usize> Sites<D> {
-    /// Those of a number of vertices with elements between them. `smooth` are neighbours that have a normal in common at the
+    /// Sites of a number of vertices with elements between them. `smooth` are neighbours that have a normal in common at the
     /// vertices that both have.
     #[must_use]
     pub fn new(vertices: usize, elements: &[[usize; D]], smooth: &[[usize; 2]]) -> Self {

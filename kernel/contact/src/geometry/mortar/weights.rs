@@ -60,7 +60,7 @@ impl<const D: usize> Places<D> {
 pub struct LostVertex;
 
 impl<const D: usize, const N: usize> VertexWeights<D, N> {
-    /// Of no vertex: all zero.
+    /// Weights of no vertex: all zero.
     pub const NOWHERE: Self = Self {
         base: [0; D],
         weights: [0.0; N],

@@ -7,9 +7,9 @@ use super::{Point, Surface, dot, minus};
 pub enum Feature {
     /// Inside.
     Face,
-    /// On the edge from corner i to corner i + 1.
+    /// The edge from corner i to corner i + 1.
     Edge(usize),
-    /// On corner i.
+    /// The corner i.
     Vertex(usize),
 }
 
@@ -18,7 +18,7 @@ pub enum Feature {
 pub struct NearestPoint {
     /// Triangle, counted from 0.
     pub triangle: usize,
-    /// Where on the triangle.
+    /// Feature of the triangle.
     pub feature: Feature,
     /// The point \[m\].
     pub point: Point,

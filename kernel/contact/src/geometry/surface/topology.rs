@@ -1,4 +1,4 @@
-//! From a list of triangles to vertices, edges and pseudo-normals.
+//! Topology of a list of triangles: vertices, edges and pseudo-normals.
 
 use super::error::SurfaceErrorKind;
 use super::{Point, cross, dot, minus, unit};

@@ -17,7 +17,7 @@ pub(crate) struct ContactResult {
     pub nodes: usize,
     /// The node where a pair approaches by most over its distance of contact in one step, if by more than that.
     pub tunnelling: Option<NodeTunnelling>,
-    /// Where each pair overlaps deepest, if by more than [`DEEP`].
+    /// Deepest place of overlap of each pair, if by more than [`DEEP`].
     pub overlaps: Vec<Option<Overlap>>,
 }
 

@@ -49,11 +49,11 @@ pub(super) struct GapLists {
 struct Distance {
     /// Along the normal, between the particles that face each other on the line through the node \[m\].
     facing: f64,
-    /// From that of the master to that of the slave \[m\].
+    /// Vector from the centre of the master to that of the slave \[m\].
     between: Vector,
     /// Between the planes across the normal that bound the particles near the node \[m\]; no larger.
     least: f64,
-    /// From the particle of the master on one of those planes to that of the slave on the other \[m\].
+    /// Vector from the particle of the master on one of those planes to that of the slave on the other \[m\].
     bounds: Vector,
 }
 
@@ -136,14 +136,14 @@ impl ContactNodes {
 /// Normals of both bodies of a pair at a node, from master to slave.
 #[derive(Clone, Copy, Debug)]
 struct Ends {
-    /// That of the master and that of the slave.
+    /// Normals of the master and of the slave.
     normals: [Vector; 2],
     /// True where they are opposite: they have no mean, and none of them goes before the other.
     cancel: bool,
 }
 
 impl Ends {
-    /// Those of a node among the owned ones, where the pair has the normal `own`.
+    /// Gaps of a node among the owned ones, where the pair has the normal `own`.
     fn of(
         fields: &SlabFields<'_, '_, '_>,
         numbers: [usize; 2],

@@ -34,7 +34,7 @@ const LEAST_SHARE: usize = 1 << 8;
 /// The particles that reach the nodes of a boundary, as of the last mapping.
 #[derive(Clone, Debug)]
 pub(super) struct NeighbourParticles<const D: usize> {
-    /// Those of the simulation.
+    /// Lanes of the simulation.
     lanes: Selected,
     /// Place of each node of the grid in `hosts`, plus one; zero for nodes that no vertex hangs on.
     slots: Vec<u32>,

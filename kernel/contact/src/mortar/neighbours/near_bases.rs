@@ -12,7 +12,7 @@ use std::ops::Range;
 /// Some of the nodes that may be the base of a particle.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Bases {
-    /// For each node of the grid.
+    /// True for each node of the grid that is one.
     is_one: Vec<bool>,
     list: Vec<usize>,
 }

@@ -11,7 +11,7 @@ mod words;
 pub struct ForeignWord {
     /// The block of the scene in which it is meant so; empty for any.
     pub within: &'static str,
-    /// How it is written; upper and lower case, `_` and `-` make no difference.
+    /// Spellings; upper and lower case, `_` and `-` make no difference.
     pub words: &'static [&'static str],
     /// The keys here, with their blocks.
     pub keys: &'static [&'static str],

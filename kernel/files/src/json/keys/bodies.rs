@@ -142,7 +142,7 @@ pub(in crate::json) struct RawBody {
         "examples" = [[[0, 0], [1, 0], [1, 1], [0, 1]]]
     ))]
     pub boundary: Option<Vec<Vec<f64>>>,
-    /// Whether the last of these vertices is joined to the first; one that is open covers a part of the body alone.
+    /// True joins the last of these vertices to the first; an open boundary covers a part of the body alone.
     #[schemars(extend("x-needs" = "`boundary`", "default" = true, "examples" = [false]))]
     pub boundary_closed: Option<bool>,
     /// STL file with the triangles of the boundary, closed and with its normals out of the body, instead of one made
@@ -152,8 +152,8 @@ pub(in crate::json) struct RawBody {
         "examples" = ["block.stl"]
     ))]
     pub boundary_stl_mesh: Option<String>,
-    /// How the boundary follows the body. With `material` a vertex is where the particles that were around it at the start
-    /// say; the others integrate velocities of the nodes, and drift.
+    /// Mode in which the boundary follows the body. With `material` a vertex is where the particles that were around it at the
+    /// start say; the others integrate velocities of the nodes, and drift.
     #[schemars(extend(
         "enum" = ["unaugmented", "velocity", "spin", "gradient", "material"],
         "x-needs" = "`boundary_segment`, `boundary` or `boundary_stl_mesh`", "default" = "spin",

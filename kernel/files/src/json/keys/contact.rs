@@ -24,7 +24,7 @@ pub(in crate::json) struct RawContact {
     /// Identifier of the slave body.
     #[schemars(extend("x-needed" = true, "examples" = [2]))]
     pub slave_id: Option<i64>,
-    /// How the normal is found.
+    /// Source of the normal.
     #[schemars(extend(
         "enum" = ["master", "slave", "collinear"], "x-needs" = "`method` \"grid\"", "default" = "collinear",
         "examples" = ["master"]
@@ -58,7 +58,7 @@ pub(in crate::json) struct RawContact {
         "examples" = ["penalty"]
     ))]
     pub enforcement: Option<String>,
-    /// How contact is found.
+    /// Detection of contact.
     #[schemars(extend(
         "enum" = ["mortar", "node_to_segment"], "x-needs" = "`method` \"mortar\"", "default" = "mortar",
         "examples" = ["node_to_segment"]
@@ -83,7 +83,7 @@ pub(in crate::json) struct RawRigidLine {
     /// Vertices, material on the left of their direction.
     #[schemars(extend("x-unit" = "m", "x-needed" = true, "examples" = [[[2, 0], [0, 0]]]))]
     pub points: Option<Vec<Vec<f64>>>,
-    /// Whether the last vertex is joined to the first.
+    /// True joins the last vertex to the first.
     #[schemars(extend("default" = false, "examples" = [true]))]
     pub closed: Option<bool>,
     /// Prescribed velocity: a vector, or rows of time and velocity.
@@ -135,7 +135,7 @@ pub(in crate::json) struct RawRigidSurface {
     expecting = "an object with the keys of a contact manager"
 )]
 pub(in crate::json) struct RawContactManager {
-    /// Whether contacts act.
+    /// True if contacts act.
     #[schemars(extend("default" = true, "examples" = [false]))]
     pub active: Option<bool>,
     /// Factor lambda on the cell size in the real-distance correction; 0 for none.
@@ -158,7 +158,7 @@ pub(in crate::json) struct RawContactManager {
     expecting = "an object with the keys of a terrain contact"
 )]
 pub(in crate::json) struct RawTerrainContact {
-    /// Whether it acts.
+    /// True if it acts.
     #[schemars(extend("x-needed" = true, "examples" = [true]))]
     pub active: Option<bool>,
     /// File of the surface, STL, ASCII or binary; a path relative to the folder of the scene.
@@ -180,7 +180,7 @@ pub(in crate::json) struct RawTerrainContact {
         "x-unit" = "m", "x-default" = "the smallest edge of a cell", "exclusiveMinimum" = 0, "examples" = [0.05]
     ))]
     pub distance_threshold: Option<f64>,
-    /// Whether the penalty force acts.
+    /// True if the penalty force acts.
     #[schemars(extend("x-default" = "true where a stiffness is given", "examples" = [false]))]
     pub penalty_contact_active: Option<bool>,
     /// Stiffness of a force that pushes penetrating particles out, per particle.

@@ -112,7 +112,7 @@ pub(in crate::json) struct RawPlanes {
     expecting = "an object with the keys of an earthquake"
 )]
 pub(in crate::json) struct RawEarthquake {
-    /// Whether it acts; nothing else here is read where it does not.
+    /// True if it acts; nothing else here is read where it is false.
     #[schemars(extend("x-needed" = true, "examples" = [true]))]
     pub active: Option<bool>,
     /// Record with the columns t, ax, ay, az, separated by `,`, `;`, tabs or blanks; a path relative to the folder of the scene.
@@ -120,10 +120,10 @@ pub(in crate::json) struct RawEarthquake {
         "x-unit" = "s, m/s² or m/s", "x-needed" = true, "x-file" = true, "examples" = ["record.csv"]
     ))]
     pub file: Option<String>,
-    /// Whether the record has a header.
+    /// True if the record has a header.
     #[schemars(extend("x-default" = "found by looking", "examples" = [true]))]
     pub header: Option<bool>,
-    /// What the record holds. The default is that of the manuals.
+    /// Quantity of the record. The default is that of the manuals.
     #[schemars(extend(
         "enum" = ["acceleration", "velocity"], "default" = "acceleration", "examples" = ["velocity"]
     ))]

@@ -1,8 +1,8 @@
 //! The keys of a scene file, as written: flat, all optional, nothing checked but types.
 //!
-//! What is said of a key here is all that is said of it anywhere: its description, unit, default, range and example are
-//! in the JSON Schema, in `proctor keys`, and held against the reader by a test. Beside the words of JSON Schema
-//! (`default`, `minimum`, `examples`, ...) there are
+//! The text of a key here is its only text: its description, unit, default, range and example are in the JSON Schema, in
+//! `proctor keys`, and held against the reader by a test. Beside the words of JSON Schema (`default`, `minimum`, `examples`,
+//! ...) there are
 //!
 //! | word | says |
 //! |---|---|
@@ -92,8 +92,8 @@ pub(super) struct RawScene {
     /// Number of phases: 2 where materials have water in their pores.
     #[schemars(extend("enum" = [1, 2], "default" = 1, "examples" = [2]))]
     pub n_phases: Option<u64>,
-    /// When the stress is updated: before the momentum (USF), after it (USL), or after it with velocities mapped again
-    /// (MUSL). The default is that of the manuals' program.
+    /// Place of the stress update in the cycle: before the momentum (USF), after it (USL), or after it with velocities mapped
+    /// again (MUSL). The default is that of the manuals' program.
     #[schemars(extend("enum" = ["USF", "USL", "MUSL"], "default" = "USL", "examples" = ["MUSL"]))]
     pub stress_scheme_update: Option<String>,
     /// Weighting function; GIMP and uGIMP are the same. The default is that of the manuals' program.
@@ -102,7 +102,7 @@ pub(super) struct RawScene {
         "examples" = ["cpGIMP"]
     ))]
     pub shape_function: Option<String>,
-    /// How the particle domain of cpGIMP follows the deformation.
+    /// Update of the particle domain of cpGIMP from the deformation.
     #[schemars(extend(
         "enum" = ["determinant", "stretch", "left_stretch"], "x-needs" = "`shape_function` \"cpGIMP\"",
         "default" = "determinant", "examples" = ["stretch"]
@@ -120,7 +120,7 @@ pub(super) struct RawScene {
         "examples" = [0.01]
     ))]
     pub pic_fraction: Option<f64>,
-    /// Where the volumetric strain is taken. With `cell_average` nearly incompressible material does not lock.
+    /// Averaging of the volumetric strain. With `cell_average` nearly incompressible material does not lock.
     #[schemars(extend(
         "enum" = ["particle", "cell_average"], "default" = "particle", "examples" = ["cell_average"]
     ))]
@@ -132,7 +132,7 @@ pub(super) struct RawScene {
     /// Numerical damping.
     #[schemars(extend("x-default" = "none", "examples" = [{"type": "local", "value": 0.05}]))]
     pub damping: Option<RawDamping>,
-    /// What is written.
+    /// Results that are written.
     #[schemars(extend(
         "x-default" = "ten frames with identifier and displacement",
         "examples" = [{"print": 20, "fields": ["id", "stress"]}]
@@ -231,11 +231,10 @@ pub(super) struct RawScene {
         "x-default" = "none", "examples" = [[{"point_p1": [0, 0, 0], "point_p2": [1, 1, 0.5], "force": [10, 0, 0]}]]
     ))]
     pub box_load: Option<Vec<RawBoxLoad>>,
-    /// What happens to a particle that leaves the mesh.
+    /// Treatment of a particle that leaves the mesh.
     #[schemars(extend("enum" = ["stop", "remove"], "default" = "stop", "examples" = ["remove"]))]
     pub outside: Option<String>,
-    /// What happens when energy, momentum or a strain increment is out of balance: the run tells it at its end, or
-    /// stops.
+    /// Reaction to an imbalance of energy, momentum or a strain increment: the run tells it at its end, or stops.
     #[schemars(extend("enum" = ["tell", "stop"], "default" = "tell", "examples" = ["stop"]))]
     pub on_imbalance: Option<String>,
     /// Columns of the history that follow particles or bodies.
@@ -331,7 +330,7 @@ pub(super) struct RawInitialState {
     pub comment: Option<Comment>,
 }
 
-/// What is written.
+/// Results that are written.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, expecting = "an object with `print` and `fields`")]
 pub(super) struct RawResults {

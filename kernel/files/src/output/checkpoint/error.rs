@@ -1,4 +1,4 @@
-//! Why a checkpoint cannot be used.
+//! Errors of a checkpoint that cannot be used.
 
 use std::fmt;
 use std::io;
@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use super::super::OutputError;
 use super::VERSION;
 
-/// Why a checkpoint could not be written, read or used.
+/// Error of a checkpoint that could not be written, read or used.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum CheckpointError {
@@ -17,7 +17,7 @@ pub enum CheckpointError {
     Read {
         /// The file.
         path: PathBuf,
-        /// What the operating system said.
+        /// Error of the operating system.
         source: io::Error,
     },
     /// The file does not start as a checkpoint does.
@@ -63,7 +63,7 @@ pub enum CheckpointError {
     Malformed {
         /// The file.
         path: PathBuf,
-        /// What is wrong.
+        /// The fault.
         reason: String,
     },
     /// The checkpoint belongs to another scene.

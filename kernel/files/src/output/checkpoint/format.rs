@@ -29,7 +29,7 @@ use flate2::Crc;
 use super::super::little_endian::{self, LittleEndian};
 use super::{Checkpoint, CheckpointError, Section, SectionData, VERSION};
 
-/// As in PNG: the first byte is not text, and the line ends show a transfer that changed them.
+/// First bytes as in PNG: the first byte is not text, and the line ends show a transfer that changed them.
 const MAGIC: [u8; 8] = *b"\x89PRC\r\n\x1a\n";
 /// Magic, version, sections, fingerprint, length.
 const HEADER: usize = 32;
@@ -234,7 +234,7 @@ impl Write for ChecksumWriter<'_> {
     }
 }
 
-/// What is left to be parsed.
+/// Bytes that are left to parse.
 struct Bytes<'a>(&'a [u8]);
 
 impl<'a> Bytes<'a> {

@@ -97,7 +97,7 @@ impl Checkpoint {
         Ok(self.array::<T>(name, 1)?[0])
     }
 
-    /// Whether the checkpoint belongs to the scene with the fingerprint `expected`.
+    /// Checks that the checkpoint belongs to the scene with the fingerprint `expected`.
     ///
     /// # Errors
     /// [`CheckpointError::OtherScene`] if not.

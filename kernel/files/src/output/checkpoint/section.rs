@@ -67,7 +67,7 @@ macro_rules! number {
                 }
             }
 
-            /// Whether there are no values.
+            /// True if there are no values.
             #[must_use]
             pub fn is_empty(&self) -> bool {
                 self.len() == 0

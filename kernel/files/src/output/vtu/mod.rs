@@ -30,7 +30,7 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// What the names of files with this frame end in: `vtp` with lines, else `vtu`.
+    /// End of the file names with this frame: `vtp` with lines, else `vtu`.
     #[must_use]
     pub fn extension(&self) -> &'static str {
         if self.lines.is_empty() { "vtu" } else { "vtp" }
@@ -79,21 +79,21 @@ impl ArrayData {
         }
     }
 
-    /// Whether it has no values.
+    /// True if it has no values.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 }
 
-/// How the numbers of a frame are stored.
+/// Storage of the numbers of a frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Compression {
-    /// As they are: the fastest to write and to read. Doubles of a running simulation hardly compress.
+    /// Plain bytes: the fastest to write and to read. Doubles of a running simulation hardly compress.
     #[default]
     None,
-    /// With zlib, at a level from 1 (fast) to 9 (small); larger levels count as 9. Uses the current rayon pool;
-    /// the bytes do not depend on the number of threads.
+    /// Compressed with zlib, at a level from 1 (fast) to 9 (small); larger levels count as 9. Uses the current rayon pool; the
+    /// bytes do not depend on the number of threads.
     Zlib(u32),
 }
 

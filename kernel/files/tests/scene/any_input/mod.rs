@@ -59,7 +59,7 @@ const NUMBERS: &[&str] = &[
     "1000000000000000000000000000000",
 ];
 
-/// What is almost a number.
+/// Texts that are almost numbers.
 const ALMOST: &[&str] = &[
     "NaN",
     "Infinity",
@@ -74,7 +74,7 @@ const ALMOST: &[&str] = &[
     "-1e400",
 ];
 
-/// What is of another type than is wanted, most of the time.
+/// Values of another type than is wanted, most of the time.
 const OTHERS: &[&str] = &[
     "null",
     "true",

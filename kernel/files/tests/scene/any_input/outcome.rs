@@ -12,7 +12,7 @@ use std::sync::mpsc::channel;
 use std::thread;
 use std::time::Duration;
 
-/// How far a text came.
+/// Stage that a text reached.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Outcome {
     /// It is no scene, says the message.
@@ -36,15 +36,15 @@ const MOST: [usize; 2] = [4000, 200_000];
 /// Far longer than any of it takes, on a machine that does much else: what is not done by then hangs.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// What becomes of a text.
+/// Outcome of reading a text.
 ///
 /// # Errors
-/// What must never happen: a panic, no message, no end.
+/// If a panic, an empty message or an endless run happens.
 pub(crate) fn outcome(text: &str) -> Result<Outcome, String> {
     outcome_in(text, Path::new(FOLDER), STEPS)
 }
 
-/// What becomes of a text whose files are in `folder`, which is stepped so many times.
+/// Outcome of a text whose files are in `folder`, which is stepped so many times.
 ///
 /// # Errors
 /// As [`outcome`].

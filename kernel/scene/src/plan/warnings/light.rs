@@ -23,12 +23,12 @@ const BEHIND: f64 = 0.06;
 
 /// Bodies that rest on a line of the mesh under USL, or on a rigid line in mortar contact a little behind one with FLIP and MUSL.
 ///
-/// What is left of the motion decides whether domains that end at the face reach the nodes behind. A node that is reached by nothing
-/// but that is as light as one likes, and a force there strains the first row nevertheless: its acceleration is that over the mass,
-/// which falls with the square of the way, the derivative of its weights with the way. Of 96 columns on rigid lines and driven bodies,
-/// with domains that stretch, 32 had more than 5 to 10 % of the pressure too much or too little in the first rows, up to 1.7 times
-/// of it; with uGIMP 2 of 100, both on rigid lines, up to 0.8 of it. FLIP with MUSL swings there: 4 of 7 with a face up to 0.06 of a
-/// cell behind a line.
+/// The remaining motion decides if domains that end at the face reach the nodes behind. A node that is reached by nothing but
+/// that is as light as one likes, and a force there strains the first row nevertheless: its acceleration is that over the mass,
+/// which falls with the square of the way, the derivative of its weights with the way. Of 96 columns on rigid lines and driven
+/// bodies, with domains that stretch, 32 had more than 5 to 10 % of the pressure too much or too little in the first rows, up
+/// to 1.7 times of it; with uGIMP 2 of 100, both on rigid lines, up to 0.8 of it. FLIP with MUSL swings there: 4 of 7 with a
+/// face up to 0.06 of a cell behind a line.
 pub(super) fn on_lines(scene: &Scene) -> Vec<String> {
     let stretches = matches!(scene.weighting, Weighting::ContiguousGimp(_));
     let gimp = stretches || scene.weighting == Weighting::UniformGimp;

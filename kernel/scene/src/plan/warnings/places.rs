@@ -18,7 +18,7 @@ pub(super) fn from_plane(scene: &Scene, bounds: &[Vector; 2], axis: usize, side:
     }
 }
 
-/// Whether a box is so near a boundary plane that particles in it reach the nodes of the plane.
+/// True if a box is so near a boundary plane that particles in it reach the nodes of the plane.
 pub(super) fn at_plane(scene: &Scene, bounds: &[Vector; 2], axis: usize, side: usize) -> bool {
     let reach = scene.mesh.cell[axis] - scene.mesh.tolerance(axis);
     from_plane(scene, bounds, axis, side) < reach

@@ -50,7 +50,7 @@ fn down(scene: &Scene) -> Option<(usize, usize)> {
     }
 }
 
-/// How far a body can fall: to a plane that stops it, or to a body below \[m\].
+/// Distance that a body can fall: to a plane that stops it, or to a body below \[m\].
 fn fall(scene: &Scene, body: &Body, bounds: &[Vector; 2]) -> Option<f64> {
     let (axis, side) = down(scene)?;
     let stops = scene.mesh.planes[axis][side].prescribes(axis, axis);

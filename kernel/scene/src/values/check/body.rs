@@ -273,7 +273,7 @@ pub(super) fn check_box(
     problems.found.len() == before
 }
 
-/// Whether the shape lies in the mesh, up to round-off.
+/// Checks that the shape lies in the mesh, up to round-off.
 fn check_place(shape: &Shape, scene: &Scene, path: &str, problems: &mut Collector) {
     let mesh = &scene.mesh;
     let axes = scene.dimension.axes();

@@ -12,7 +12,7 @@ const SMALLEST: f64 = 1e-30;
 /// Problems found so far.
 pub(super) struct Collector {
     dimension: Dimension,
-    /// In the order in which they were found.
+    /// Faults in the order in which they were found.
     pub found: Vec<Problem>,
 }
 
@@ -77,7 +77,7 @@ impl Collector {
         false
     }
 
-    /// From `low` to `high`, both included.
+    /// Checks a number from `low` to `high`, both included.
     pub(super) fn range(&mut self, path: impl Into<String>, value: f64, low: f64, high: f64) {
         if !(low..=high).contains(&value) {
             self.add(

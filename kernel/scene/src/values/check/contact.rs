@@ -56,7 +56,7 @@ pub(super) fn check(scene: &Scene, problems: &mut Collector) {
     }
 }
 
-/// Whether both bodies exist.
+/// Checks that both bodies exist.
 fn check_bodies(scene: &Scene, contact: &Contact, path: &str, problems: &mut Collector) -> bool {
     let mut known = true;
     for (key, id) in [("master_id", contact.master), ("slave_id", contact.slave)] {

@@ -82,7 +82,7 @@ pub(super) fn check(scene: &Scene, problems: &mut Collector) {
     }
 }
 
-/// What mortar contact is not built for.
+/// Refuses features that mortar contact does not support.
 fn check_company(scene: &Scene, problems: &mut Collector) {
     let mortar = &scene.mortar;
     if scene.scheme == StressScheme::Usf {

@@ -16,7 +16,7 @@ const IN_PLANE: f64 = 1.0e-9;
 /// Fault of triangles as the boundary of a body.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FacetsError {
-    /// They are no surface.
+    /// Triangles that are no surface.
     Surface(SurfaceError),
     /// The normals of a closed surface point inwards.
     InsideOut {
@@ -57,11 +57,11 @@ pub struct Facets {
     /// Positions of the vertices \[m\].
     pub points: Vec<Point>,
     triangles: Vec<[usize; 3]>,
-    /// Where they have normals.
+    /// Sites of the normals.
     sites: Sites<3>,
-    /// For each site the neighbour in whose direction its first tangent points.
+    /// Neighbour of each site in whose direction its first tangent points.
     beside: Vec<usize>,
-    /// For each vertex the axes along which it has a mirror image, so that its normal has no component there.
+    /// Axes along which each vertex has a mirror image, so that its normal has no component there.
     mirrored: Vec<[bool; 3]>,
     ridges: Vec<Ridge>,
 }

@@ -15,7 +15,7 @@ use std::array;
 /// Parts of a triangle smaller than this share of its area are left out: they hold nothing but round-off.
 const SMALLEST: f64 = 1.0e-12;
 
-/// By how much a share may be negative on the edge of a triangle, so that no ray slips through between two.
+/// Largest negative share on the edge of a triangle, so that no ray slips through between two.
 const ON_EDGE: f64 = 1.0e-12;
 
 /// A plane with coordinates of its own.
