@@ -1,10 +1,12 @@
-//! The generated parts of the book: an index of the cases and a page per case, and drawings that explain the method.
+//! The generated parts of the book: an index of the cases and a page per case, the keys of scene files, and drawings that
+//! explain the method.
 //!
 //! Pages are made of the cases' own values and of kept records, without a run. A test compares the files of the book with
 //! them.
 
 mod diagrams;
 mod errors;
+mod keys;
 mod page;
 mod sketch;
 
@@ -15,6 +17,9 @@ use std::fmt::Write as _;
 /// The line that every page has first: who wrote it.
 const WRITTEN: &str =
     "<!-- Written by the program (export --format book). Change the case, not this page. -->\n\n";
+
+/// The same for the chapter of the keys.
+const WRITTEN_FROM_KEYS: &str = "<!-- Written by the program (export --format book). Change the text of the key, not this page. -->\n\n";
 
 /// Folder of the pages of the cases below the sources of the book.
 const CASES: &str = "verification/cases";
@@ -28,7 +33,7 @@ pub struct BookFile {
     pub text: String,
 }
 
-/// All generated files: the index, case by case a page and its pictures, and the drawings. The numbers of a case are those
+/// All generated files: the index, case by case a page and its pictures, the keys, and the drawings. The numbers of a case are those
 /// of the first record that holds its gates; a case without such a record has no page.
 #[must_use]
 pub fn files(records: &[Record]) -> Vec<BookFile> {
@@ -63,6 +68,7 @@ pub fn files(records: &[Record]) -> Vec<BookFile> {
     for file in &mut files {
         file.path = format!("{CASES}/{}", file.path);
     }
+    files.push(keys::chapter());
     files.extend(diagrams::all());
     files
 }

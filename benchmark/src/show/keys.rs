@@ -80,21 +80,7 @@ impl fmt::Display for InFull<'_> {
         }
         writeln!(f, "  {}", key.meaning)?;
         let mut line = |name: &str, text: &str| writeln!(f, "  {name:<10} {text}");
-        let mut value = key.kind.clone();
-        if !key.words.is_empty() {
-            let words: Vec<String> = key.words.iter().map(shown).collect();
-            // Writing into a text does not fail.
-            let _ = write!(value, ": {}", words.join(", "));
-        }
-        if key.words.is_empty() && !key.range.is_everything() {
-            let each = if key.kind.starts_with("a list") {
-                "each "
-            } else {
-                ""
-            };
-            let _ = write!(value, ", {each}{}", key.range);
-        }
-        line("value", &value)?;
+        line("value", &values(key))?;
         if let Some(unit) = &key.unit {
             line("unit", unit)?;
         }
@@ -115,8 +101,26 @@ impl fmt::Display for InFull<'_> {
     }
 }
 
+/// The values that a key may have, in words: the kind, and the words or the range.
+pub fn values(key: &Key) -> String {
+    let mut value = key.kind.clone();
+    // Writing into a text does not fail.
+    if !key.words.is_empty() {
+        let words: Vec<String> = key.words.iter().map(shown).collect();
+        let _ = write!(value, ": {}", words.join(", "));
+    } else if !key.range.is_everything() {
+        let each = if key.kind.starts_with("a list") {
+            "each "
+        } else {
+            ""
+        };
+        let _ = write!(value, ", {each}{}", key.range);
+    }
+    value
+}
+
 /// A value as people write JSON: on one line, with blanks, and without a fraction of zero.
-fn shown(value: &Value) -> String {
+pub fn shown(value: &Value) -> String {
     match value {
         Value::Array(list) => {
             let entries: Vec<String> = list.iter().map(shown).collect();

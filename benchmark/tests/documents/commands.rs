@@ -116,6 +116,10 @@ fn desk() -> TempDir {
     fs::write(&rings, less).expect("a configuration");
     copy(&root().join("fixtures/scenes"), &at("scenes"));
     fs::copy(at("fixtures/bench/peers.json"), at("peer.json")).expect("a configuration");
+    // What the tutorials have their reader copy.
+    for name in ["soil_element.json", "triaxial_path.csv"] {
+        fs::copy(at("scenes").join(name), at(name)).expect("a scene");
+    }
     let record = ["verify", "bar", "--quick", "--json", "record.json"];
     run(desk.path(), &record, 0).expect("a record");
     for name in ["base.json", "head.json"] {
