@@ -99,7 +99,7 @@ fn what_is_too_much_is_said_with_both_numbers() {
     let error = memory.require("a grid", 6.5e10).expect_err("too much");
     assert_eq!(
         error.to_string(),
-        "a grid would need 60.5 GiB of memory; accepted: what fits into the 3.0 GiB that are free"
+        "a grid would need 60.5 GiB of memory; accepted: at most the 3.0 GiB that are free"
     );
     for none in [f64::INFINITY, f64::NAN] {
         assert!(memory.require("a grid", none).is_err());

@@ -207,10 +207,7 @@ impl<'a> Report<'a> {
         if slots.is_empty() {
             return Ok(());
         }
-        writeln!(
-            f,
-            "memory, and share of what the machine was measured to do\n"
-        )?;
+        writeln!(f, "memory, and share of the measured peak of the machine\n")?;
         let mut table = Table::new([
             "scene",
             "particles",

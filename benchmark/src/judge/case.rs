@@ -355,7 +355,7 @@ fn judge_time(time: &Time, paid: &Paid) -> (Direction, Option<String>) {
         (Pace::Faster, Paid::Unknown(key)) => (
             Direction::Same,
             Some(format!(
-                "faster, but {key} rose, and no ladder tells what that is worth: no gain"
+                "faster, but {key} rose, and no ladder tells its worth: no gain"
             )),
         ),
         (Pace::Faster, Paid::Factor(key, factor)) => {

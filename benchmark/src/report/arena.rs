@@ -45,7 +45,7 @@ pub fn section(record: &Record, pictures: &mut Pictures) -> Option<Section> {
             .map(|reason| paragraph(reason))
             .collect();
         if !reasons.is_empty() {
-            body.push_str(&folded("what failed or was skipped", &reasons));
+            body.push_str(&folded("failed or skipped", &reasons));
         }
         let charts = arena_charts(&board).into_iter().map(|mut chart| {
             chart.legend = arena_legend(&board);

@@ -84,7 +84,7 @@ pub fn panel(all: &[Costs]) -> Option<String> {
     }
     let explained = paragraph(
         "2.7×: 2.7 times as fast as the default method (uGIMP USL FLIP) in processor time, each refined until its error is so \
-         small. The error is that of the displacement where nothing else is said, relative to the exact solution. !: with this \
+         small. The error is that of the displacement unless another is named, relative to the exact solution. !: with this \
          method no time step is safe for every body.",
     );
     if !table.is_empty() {
@@ -115,9 +115,6 @@ pub fn panel(all: &[Costs]) -> Option<String> {
                 + &paragraph("`proctor precision CASE` refines the mesh of a case further.")),
         ));
     }
-    html.push_str(&folded(
-        "what the words of a method mean",
-        &paragraph(METHODS),
-    ));
+    html.push_str(&folded("words of a method", &paragraph(METHODS)));
     Some(html)
 }

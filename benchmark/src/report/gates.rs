@@ -141,8 +141,7 @@ pub fn ranked(record: &Record) -> Vec<(&str, &GateDetail)> {
 pub fn nearest(record: &Record) -> Option<Table> {
     let ranked = ranked(record);
     let head = ["case and gate", "of its bound", "found, bound"];
-    let caption =
-        "How much of its bound each uses up, the most first; what fails comes before all else";
+    let caption = "Share of its bound that each uses up, the largest first; failed gates come before all others";
     let mut table = Table::new(caption, &head);
     let failing = ranked.iter().filter(|(_, gate)| !gate.passed).count();
     for (case, gate) in ranked.iter().take(NEAREST.max(failing)) {

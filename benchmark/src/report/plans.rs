@@ -6,7 +6,8 @@ use crate::record::details::PlanDetail;
 use crate::show::rounded;
 
 /// Text above plans.
-const WHAT: &str = "A scene pays for what it uses: what is left out is never called, and its fields are never allocated.";
+const WHAT: &str = "A scene pays for what it uses: a stage that is left out is never called, and its fields are \
+    never allocated.";
 
 /// The plans of the scenes of a case, folded.
 pub fn of_case(record: &Record, case: &str) -> String {
@@ -43,7 +44,7 @@ fn one(detail: &PlanDetail) -> String {
     let plan = &detail.plan;
     let count = |key: &str| plan[key].as_array().map_or(0, Vec::len);
     let summary = format!(
-        "what the scene needs ({}): {} parts kept, {} left out, {} bytes per particle, {} per node",
+        "needs of the scene ({}): {} parts kept, {} left out, {} bytes per particle, {} per node",
         detail.scene,
         count("kept"),
         count("left_out"),

@@ -203,7 +203,9 @@ impl<'a> Since<'a> {
             })
             .collect();
         (!bars.is_empty()).then(|| Figure {
-            caption: format!("{title}: change of each number over what it was, the largest first."),
+            caption: format!(
+                "{title}: change of each number over its value before, the largest first."
+            ),
             chart: figures::bars_of(title, quantity, Format::Percent, &bars),
         })
     }
@@ -278,8 +280,8 @@ fn commit(record: &Record) -> String {
 pub fn panel(since: Option<&Since<'_>>) -> String {
     let Some(since) = since else {
         return paragraph(
-            "No earlier record was given. `proctor report HEAD --base BASE` makes this page from two records: what got \
-             worse and what got better from BASE to HEAD, in tables and pictures.",
+            "No earlier record was given. `proctor report HEAD --base BASE` makes this page from two records: \
+             the losses and gains from BASE to HEAD, in tables and pictures.",
         );
     };
     let mut html = paragraph(&show::verdict_line(&since.comparison));
@@ -327,13 +329,13 @@ pub fn section(since: &Since<'_>, pictures: &mut Pictures) -> Section {
         (
             "Regressions, the largest first",
             "What got worse",
-            "worse by, over what it was",
+            "worse by, over the value before",
             Direction::Worse,
         ),
         (
             "Gains, the largest first",
             "What got better",
-            "better by, over what it was",
+            "better by, over the value before",
             Direction::Better,
         ),
     ] {
@@ -367,7 +369,7 @@ pub fn section(since: &Since<'_>, pictures: &mut Pictures) -> Section {
         .map(|(about, reason)| paragraph(&format!("{about}: {reason}")))
         .collect();
     if !reasons.is_empty() {
-        body.push_str(&folded("what the judge said, case by case", &reasons));
+        body.push_str(&folded("the judge's lines, case by case", &reasons));
     }
     Section {
         id: "changes",

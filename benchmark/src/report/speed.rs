@@ -156,7 +156,7 @@ pub fn panel(all: &[Speed]) -> Option<String> {
     let mut html = table.html();
     let one = first[0];
     html.push_str(&paragraph(&format!(
-        "Alone: what the least operations, or bytes, of a step would take at the machine's peaks, measured in the same run. \
+        "Alone: the time of the least operations, or bytes, of a step at the machine's peaks, measured in the same run. \
          The scene is {}, {} particles, with {}.",
         one.scene,
         grouped(one.particles as u64),
@@ -229,8 +229,8 @@ pub fn section(record: &Record, pictures: &mut Pictures) -> Option<Section> {
     }
     bars.retain(|(_, ns)| ns.is_finite());
     let picture = Figure {
-        caption: "Processor time per particle and step, beside what its least operations and its least bytes would take \
-                  alone at the peaks of this machine, measured in the same run on as many threads."
+        caption: "Processor time per particle and step, beside the time that its least operations or its least \
+            bytes take alone at the peaks of this machine, measured in the same run on as many threads."
             .to_owned(),
         chart: figures::logarithmic_bars("Cost of a step", "ns of processor time per particle and step", &bars),
     };

@@ -45,7 +45,7 @@ pub fn html(record: &Record, since: Option<&Since<'_>>) -> String {
         }
         PageVerdict::NotCompared => {
             text.push_str(
-                " <a href=\"#since\">Not all could be compared with what was before.</a>",
+                " <a href=\"#since\">Not all could be compared with the record before.</a>",
             );
         }
         _ => {}

@@ -145,7 +145,7 @@ pub fn words(cost: Cost) -> String {
     }
 }
 
-/// Reasons for what failed or was skipped, each once with the solver and the cases.
+/// Reasons of failures and skips, each once with the solver and the cases.
 #[must_use]
 pub fn reasons(board: &Board) -> Vec<String> {
     let mut all: Vec<(String, Vec<&str>)> = vec![];

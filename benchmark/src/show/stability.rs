@@ -346,7 +346,8 @@ fn tension(report: &TensionReport, out: &mut dyn Write) -> io::Result<()> {
     }
     writeln!(
         out,
-        "  A bar in that tension, with noise, at the kernel's step: what no strain sees grows by {:.3} % per step, tenfold in\n  \
+        "  A bar in that tension, with noise, at the kernel's step: a motion without strain grows by {:.3} % \
+         per step, tenfold in\n  \
          {:.0} of {:.0} steps. A smaller step only delays it. The same bar with other methods:",
         100.0 * growth,
         (std::f64::consts::LN_10 / growth).ceil(),

@@ -249,7 +249,7 @@ impl Verdict<'_> {
             let _ = if run < self.asked {
                 write!(text, "{run} of {cases}; the others were not run")
             } else {
-                write!(text, "{cases}; what comes after them was not finished")
+                write!(text, "{cases}; the cases after them were not finished")
             };
         } else {
             text.push_str(&cases);
@@ -340,7 +340,7 @@ mod tests {
         );
         let after = said(&[ran(0, 0.001)], 1, &[], true);
         assert!(
-            after.contains("in 1 case; what comes after them was not finished"),
+            after.contains("in 1 case; the cases after them were not finished"),
             "{after}"
         );
         let failed = said(&[ran(0, 1.0)], 2, &[], true);

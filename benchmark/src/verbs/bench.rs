@@ -92,7 +92,7 @@ impl Bench {
             writeln!(out, "written: {}", path.display())?;
         }
         if interrupted {
-            writeln!(out, "interrupted: what was measured until then")?;
+            writeln!(out, "interrupted: the measurements until then")?;
             return Ok(stop.outcome());
         }
         let sound = record.rows.iter().all(|row| row.error.is_none());

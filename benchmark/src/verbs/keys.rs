@@ -82,8 +82,8 @@ fn all(blocks: &[KeyBlock], out: &mut dyn Write) -> Result<Outcome, Failure> {
     }
     writeln!(
         out,
-        "Behind each key: its unit, what holds where it is missing, its meaning. (needed): where it means something.\n\
-         `proctor keys WORD` says all of a key, `proctor schema` tells it to editors."
+        "Behind each key: its unit, its default, its meaning. (needed): where it means something.\n\
+         `proctor keys WORD` explains a key in full, `proctor schema` is for editors."
     )?;
     Ok(Outcome::Fine)
 }

@@ -129,7 +129,7 @@ const TEMPLATES: &[Template] = &[
             ),
             (
                 "base",
-                "\"rigid\" with a fixed plane_Y0: what goes down comes back",
+                "\"rigid\" with a fixed plane_Y0: waves that go down come back",
             ),
             ("cohesion", "1e4 instead of 3e4: the slope slides"),
         ],
@@ -234,7 +234,7 @@ const TEMPLATES: &[Template] = &[
         change: &[
             (
                 "shape_function",
-                "\"linear\": what cells that are crossed do to the stress",
+                "\"linear\": shows the noise of cells that are crossed in the stress",
             ),
             ("damping", "{\"type\": \"kinetic\"}: it comes to rest"),
             ("particles_per_cell", "2 instead of 3"),

@@ -28,7 +28,7 @@ impl fmt::Display for OutOfMemory {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "{} would need {} of memory; accepted: what fits into the {} that are free",
+            "{} would need {} of memory; accepted: at most the {} that are free",
             self.what,
             words(self.needed),
             words(self.there_is as f64)

@@ -133,7 +133,7 @@ impl fmt::Display for ResultWarning {
             } => write!(
                 f,
                 "`{}` was strained to J - 1 = {volume_change:.3}, beyond {}: the stress of increments has no energy there, and \
-                 what is stored is off by {:.0} %; {}",
+                 the stored energy is off by {:.0} %; {}",
                 range.law,
                 range.most_volume_change,
                 100.0 * (range.energy_error)(1.0 + volume_change),

@@ -144,7 +144,7 @@ fn what_it_is_not_derived_for_is_refused() {
     assert_eq!(
         problems(|scene| scene.transfer.pic_fraction = 0.5),
         [
-            "pic_fraction: found 0.5 with MLS; accepted: 1: its affine velocity carries what FLIP keeps in the particles"
+            "pic_fraction: found 0.5 with MLS; accepted: 1: its affine velocity carries the part that FLIP keeps in the particles"
         ]
     );
 }

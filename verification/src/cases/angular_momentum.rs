@@ -31,7 +31,7 @@ const DRIFT_STATED: &str = "angular momentum lost in a turn";
 const GAIN: &str = "largest energy gained in a turn";
 /// Largest change at any time, over it.
 const LARGEST: &str = "largest change of the angular momentum";
-const KEPT: &str = "what nodes have particles get, and give back; round-off is left";
+const KEPT: &str = "the transfer to the particles and back keeps the angular momentum of the nodes, but for round-off";
 const WRONG_MOMENTUM: Wrong = Wrong::factor("angular momentum", 1.0 + 1e-9);
 
 /// A block that spins.

@@ -41,7 +41,7 @@ const GATES: &[GateRule] = &[
     // 1.9e-3 at 32 cells in one dimension, where every particle feels one phase.
     error(DISPLACEMENT).at_most_by(
         |finest| 4e-3 * (32.0 * finest.cell / SIDE).powi(2),
-        "twice what cpGIMP has in one dimension at 32 cells, and order 2 elsewhere",
+        "twice the error of cpGIMP in one dimension at 32 cells, and order 2 elsewhere",
     ),
     order(DISPLACEMENT).at_least(1.8, OF_SMALL).on(is_small),
     order(STRESS).at_least(0.9, OF_SMALL).on(is_small),

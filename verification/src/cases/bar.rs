@@ -37,7 +37,7 @@ pub static BAR: Case = Case::new(
     error(DISPLACEMENT).at_most_of(
         [5e-3, 1.25e-3],
         [
-            "half a percent at 32 cells is what the project promises",
+            "the project promises half a percent at 32 cells",
             "a quarter of half a percent at twice 32 cells, as order 2 allows",
         ],
     ),

@@ -191,8 +191,6 @@ fn path(size: Size) -> Vec<Rung> {
 fn guest(rung: &Rung) -> Result<Guest, &'static str> {
     match problem(rung, &guest::settings()) {
         Problem::Column(column) => Ok(column.guest(Reference::CORRECT.of(&WRONG_STIFFNESS))),
-        Problem::Block(_) => {
-            Err("what is known of the manual's block is the velocity of its base alone")
-        }
+        Problem::Block(_) => Err("only the velocity of the base is known of the manual's block"),
     }
 }

@@ -73,7 +73,8 @@ pub static BLOCK_ON_TWO_BLOCKS: Case = Case::new("block-on-two-blocks", "Does a 
         Measure::new("stress", STRESSES[1]),
         Measure::new("pillar-stress", STRESSES[0]),
     ], 2).trying(few)])
-    .no_guest("its blocks settle under damping that ends later, and what is known exactly are means of stress over a time without it");
+    .no_guest("its blocks settle under damping that ends later, and only the means of stress over a time \
+        without damping are known exactly");
 
 /// Variants.
 const VARIANTS: [(&str, Dimension, StressScheme); 4] = [

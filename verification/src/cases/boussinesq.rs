@@ -55,7 +55,7 @@ pub static BOUSSINESQ: Case = Case::new(
             [SETTLEMENT_GATE_QUICK, SETTLEMENT_GATE],
             [
                 "four times the bound at h = 1/32, as order 2 allows at 1/16",
-                "half a percent at h = 1/32 is what the project promises",
+                "the project promises half a percent at h = 1/32",
             ],
         )
         .named("error of {quantity} on the finest mesh"),

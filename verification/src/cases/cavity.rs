@@ -56,7 +56,7 @@ pub static CAVITY: Case = Case::new(
     &[DISPLACEMENT],
 )])
 .wrong_references(&[WRONG_SPEED])
-.no_study("the front of its wave is what *step-bar* studies along a line")
+.no_study("*step-bar* studies the front of its wave along a line")
 .no_guest("the scenes of other solvers have no axis of revolution");
 
 fn exact(factor: f64) -> Cavity {

@@ -70,7 +70,7 @@ pub static COLUMN_CLOSED: Case = Case::new(
     &[DISPLACEMENT, TOTAL],
 )])
 .wrong_references(&[WRONG_MODULUS])
-.no_study("it asks whether two phases are one; what a wave costs is studied in *bar*")
+.no_study("its question is if two phases are one; *bar* studies the cost of a wave")
 .no_guest("no other solver of the protocol knows pore water");
 
 /// The solid swings a fifth of a period; the phase is late by that times (pi h/H)²/12 or less, and its sine as much.

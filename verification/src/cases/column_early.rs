@@ -40,7 +40,7 @@ pub static COLUMN_EARLY: Case = Case::new(
     "the prototype had 9e-6 at most, and means of the load in time are off by less",
 )])
 .wrong_references(&[WRONG_LOAD])
-.no_study("no mesh resolves the drained layer; *column-modal* studies what one does")
+.no_study("no mesh resolves the drained layer; *column-modal* studies one that a mesh resolves")
 .no_guest("no other solver of the protocol knows pore water");
 
 fn scene(rung: &Rung, settings: &Settings) -> Scene {

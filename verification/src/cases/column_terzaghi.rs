@@ -66,8 +66,8 @@ pub static COLUMN_TERZAGHI: Case = Case::new(
     error(EFFECTIVE).at_most_of(
         [3e-3, 1e-3],
         [
-            "what the water does not bear the skeleton does",
-            "what the water does not bear the skeleton does",
+            "the skeleton bears the part of the load that the water does not",
+            "the skeleton bears the part of the load that the water does not",
         ],
     ),
     order(PRESSURE).at_least(1.9, "2 of linear functions, less 0.1"),

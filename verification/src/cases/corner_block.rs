@@ -56,7 +56,7 @@ pub static CORNER_BLOCK: Case = Case::new("corner-block", "Does a block with sha
     .scene_by(scene)
     .run(compare)
     .gates_of_rungs(&[
-    error(WAY).at_most(1e-2, "one percent is what the project promises of friction"),
+    error(WAY).at_most(1e-2, "the project promises one percent of friction"),
     error(TOTAL).at_most(1e-6, "Coulomb's law, but for the turn of the block's base"),
     error(VERTEX).at_most(1e-6, "Coulomb's law at each vertex"),
 ])

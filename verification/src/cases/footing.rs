@@ -269,7 +269,7 @@ fn rungs(size: Size) -> Vec<Rung> {
 
 fn judge(runs: &Runs<'_>) -> Verdict {
     let mut verdict = Verdict::default();
-    let above = "loads come from above: what nodes can do is less than what the ground can";
+    let above = "loads come from above: the nodes have fewer ways to move than the ground";
     for variant in VARIANTS {
         let own = runs
             .rungs
@@ -299,7 +299,7 @@ fn judge(runs: &Runs<'_>) -> Verdict {
             } else {
                 (
                     2.0 * cell,
-                    "what moves is at most as wide as the footing and a cell on either side",
+                    "the moving part is at most as wide as the footing and a cell on either side",
                 )
             };
             verdict.gates.extend([

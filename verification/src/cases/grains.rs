@@ -60,7 +60,7 @@ pub static GRAINS: Case = Case::new("grains", "Do soft grains that a plate compa
     .run(compare)
     .gates_of_rungs(&[
     value(INSIDE).at_most(0.0, "grains do not penetrate each other"),
-    value(BEYOND).at_most(0.0, "nor what holds them"),
+    value(BEYOND).at_most(0.0, "nor the planes that hold them"),
     value(MOMENTUM).at_most(
         1e-10,
         "forces on grains and walls are the same vectors; round-off of some thousand steps",

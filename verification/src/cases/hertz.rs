@@ -101,7 +101,7 @@ pub static HERTZ: Case = Case::new(
     MEASURES,
     2,
 )])
-.no_guest("what is known exactly is the pressure of a contact, and frames of particles hold none");
+.no_guest("only the pressure of the contact is known exactly, and frames of particles hold none");
 
 /// A gate of the full ladder on the stiff layer.
 const fn of_hertz(quantity: &'static str, bound: f64, reason: &'static str) -> GateRule {

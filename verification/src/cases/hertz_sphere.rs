@@ -66,7 +66,7 @@ pub static HERTZ_SPHERE: Case = Case::new(
     3,
 )
 .trying(few)])
-.no_guest("what is known exactly is the pressure of a contact, and frames of particles hold none");
+.no_guest("only the pressure of the contact is known exactly, and frames of particles hold none");
 
 fn exact(reference: Reference) -> Exact {
     Exact {

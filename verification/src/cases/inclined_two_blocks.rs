@@ -50,7 +50,7 @@ const FREE_GATE: f64 = 1e-9;
 const PULL_GATE: f64 = 1e-9; // Largest pull over the weight: round-off
 
 const FREE: &str = "a free body has the acceleration of gravity";
-const PROMISED: &str = "half a percent is what the project promises";
+const PROMISED: &str = "the project promises half a percent";
 const WRONG_PULL: Wrong =
     Wrong::factor("pull", 1.01).breaks_only(|gate| !gate.contains("over weight"));
 

@@ -65,7 +65,7 @@ pub static PLASTIC_WAVE: Case = Case::new(
     &[STRESS, PLASTIC, MOMENTUM, WORK],
 )])
 .wrong_references(&[WRONG_STRENGTH, WRONG_LOAD])
-.no_study("it asks the laws: what a wave costs is studied in base-acceleration and step-bar")
+.no_study("its question is to the laws; base-acceleration and step-bar study the cost of a wave")
 .guests_along(&Plan::new(
     Ladder::variants(
         &[MOHR_COULOMB],
@@ -210,7 +210,7 @@ fn judge(runs: &Runs<'_>) -> Verdict {
                 200,
                 PLASTIC,
                 0.01,
-                "finite differences are off by 0.1 %; what overshoots yields, too",
+                "finite differences are off by 0.1 %; an overshoot yields, too",
             ),
             all(error(MOMENTUM).at_most(
                 1e-3,

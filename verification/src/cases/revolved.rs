@@ -51,7 +51,7 @@ pub static REVOLVED: Case = Case::new(
     error(DISPLACEMENT)
         .at_most_by(
             |finest| 4e-3 * (32.0 * finest.cell / SIDE).powi(2),
-            "twice what a prototype of the same weights had at 32 cells",
+            "twice the error of a prototype of the same weights at 32 cells",
         )
         .full_alone()
         .on(|rung| rung.variant == SMALL),

@@ -317,7 +317,7 @@ fn judge(runs: &Runs<'_>) -> Verdict {
             Update::HughesWinget => (increment, "the strain of a step is not turned by half"),
             Update::Forward => (
                 (1.0 + SHEAR) * increment,
-                "the strain of a step is not turned by half, and what is there grows by half of its square",
+                "the strain of a step is not turned by half, and the stress grows by half of its square",
             ),
         };
         let mut rules = vec![error(OFF).at_most(bound, reason)];

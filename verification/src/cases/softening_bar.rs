@@ -52,7 +52,7 @@ pub static SOFTENING_BAR: Case = Case::new(
 .run(compare)
 .judge_by(judge)
 .wrong_references(&[WRONG_OPENING])
-.no_study("what it asks is of the law and of the mesh, not of the method");
+.no_study("its question is to the law and the mesh, not to the method");
 
 fn exact(reference: Reference) -> Exact {
     let elastic = STRENGTH * LENGTH / YOUNG;
@@ -215,7 +215,7 @@ fn judge(runs: &Runs<'_>) -> Verdict {
             ]
         })
     };
-    let aligned = "the band is the weak cell, and takes what it should";
+    let aligned = "the band is the weak cell, and takes the fracture energy";
     let offset = "the band is one to two cells wide, by where the mesh lies";
     let mut all: Vec<Gate> = gates(CRACK_BAND, 0.98, 1.05, aligned).collect();
     all.extend(gates(ON_A_NODE, 0.98, 1.6, offset));

@@ -66,7 +66,7 @@ pub static SPHERE_ON_TERRAIN: Case = Case::new("sphere-on-terrain", "Does a sphe
     .scene_by(scene)
     .run(compare)
     .gates_of_rungs(&[
-    error(DEPTH).at_most(DEPTH_GATE, "half a cell, what the project promises"),
+    error(DEPTH).at_most(DEPTH_GATE, "the project promises half a cell"),
     error(BELOW).at_most(0.0, "no particle passes the terrain unnoticed"),
     error(FREE_FALL).at_most(ROUND_OFF, "until it touches, the sphere falls freely"),
     error(TOUCH).at_most(TOUCH_GATE, "the force acts in the step in which a particle would pass"),
@@ -78,7 +78,7 @@ pub static SPHERE_ON_TERRAIN: Case = Case::new("sphere-on-terrain", "Does a sphe
 ])
     .wrong_references(&[WRONG_PULL])
     .studies(&[Plan::new(Ladder::sizes(&[(BOUNCE.0, &[0.2, 0.1])], &[(BOUNCE.0, &[0.2, 0.1, 0.05])]), &[Measure::new("energy", KEPT)], 3).trying(few)])
-    .no_guest("what is known exactly are energies step by step, and frames hold none");
+    .no_guest("only energies step by step are known exactly, and frames hold none");
 
 /// A variant: its name, scheme, factor of the speed, and whether the terrain is smooth.
 type Variant = (&'static str, StressScheme, f64, bool);

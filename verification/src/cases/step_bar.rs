@@ -45,7 +45,7 @@ const REBOUND: &str = "speed of the rebound";
 /// Error of a simulation without the initial positions, which one that keeps displacements has.
 const MISSING: &str = "the simulation kept no initial positions";
 
-const KINK: &str = "a kink over w, with the error w of what it bends: w^(3/2)";
+const KINK: &str = "a kink over w, with an error of w in the bent function: w^(3/2)";
 const MEAN: &str = "ringing averages out, and leaves no more than w²";
 const IMPACT: &str = "the last of the wave's impulse comes w late, or never";
 const WRONG_STIFFNESS: Wrong = Wrong::factor("stiffness", 1.1).breaks(|gate| {
@@ -356,7 +356,7 @@ fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
 
 fn guest(rung: &Rung) -> Result<Guest, &'static str> {
     if rung.variant != LOADED {
-        return Err("what is known of the thrown bar is how long it presses on the wall");
+        return Err("only the time for which the thrown bar presses on the wall is known");
     }
     let mut scene = guest::slab(scene(rung, &guest::settings()));
     scene.time = COMPARED * transit();

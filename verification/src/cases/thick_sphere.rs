@@ -72,7 +72,7 @@ pub static THICK_SPHERE: Case = Case::new(
         )
         .on(|rung| rung.variant == YIELDING),
     order(DISPLACEMENT)
-        .at_least(1.8, "order 2 is expected of what is smooth")
+        .at_least(1.8, "order 2 is expected of a smooth solution")
         .on(|rung| rung.variant == ELASTIC),
     order(DISPLACEMENT)
         .at_least(0.9, "order 1 at least: slopes have a kink where it yields")

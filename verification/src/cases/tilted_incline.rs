@@ -63,7 +63,7 @@ const STICK_GATE: f64 = 5e-3; // Largest displacement of a block that sticks ove
 const SIDEWAYS_GATE: f64 = 2e-4; // Largest way sideways over the way down
 const DEPTH_GATE: f64 = 0.05; // Deepest penetration over the cell
 
-const PROMISED: &str = "one percent for every friction is what the project promises";
+const PROMISED: &str = "the project promises one percent for every friction";
 const WRONG_PULL: Wrong = Wrong::factor("pull", 1.02)
     .breaks_only(|gate| {
         gate.starts_with("USL")

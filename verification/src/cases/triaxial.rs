@@ -39,7 +39,7 @@ pub static TRIAXIAL: Case = Case::new(
 .scene(scene)
 .solve_by(solve)
 .gates(&[
-    error(LOAD).at_most(1e-3, "stresses are uniform: what is left is inertia, some thousandths in *footing*"),
+    error(LOAD).at_most(1e-3, "stresses are uniform: the rest is inertia, some thousandths in *footing*"),
     error(STRESS).at_most(2e-3, "as the load, in all particles"),
     error(RIM).at_most(1e-2, "the mantle swings after the platen has stopped"),
 ])

@@ -36,7 +36,7 @@ const PARTICLES: usize = 3; // Particles per cell and axis of the large motion
 
 const OF_SMALL: &str = "uGIMP in one dimension without crossing: 2.0 in the displacement; stresses 1.0 to 1.8, less 0.1";
 const OF_LARGE: &str =
-    "1 to 2 is what can be expected where a body turns and shears; half of it in stresses";
+    "an order of 1 to 2 is expected where a body turns and shears; half of it in stresses";
 const WRONG_ANGLE: Wrong =
     Wrong::factor("angle", 1.06).breaks(|gate| gate.contains("error of L2(u)"));
 
@@ -54,7 +54,7 @@ pub static VORTEX: Case = Case::new(
 .gates_of_variants(&[
     bound(
         2,
-        "what the axis-aligned waves may have with as many cells over half a wave, at order 2",
+        "the bound of the axis-aligned waves with as many cells over half a wave, at order 2",
     )
     .on(|rung| ["small", "large"].contains(&rung.variant)),
     order(DISPLACEMENT)

@@ -12,7 +12,8 @@ use crate::cases::{body, cuboid};
 pub static GROUND: Question = Question {
     name: "ground",
     holds: "ground between smooth sides carries the weight above each row, from a start without stress or at rest",
-    because: "2 % of the stress at the base, and what half a cell less a particle weighs: a particle has the strain of its cell",
+    because: "2 % of the stress at the base, and the weight of half a cell less a particle: a particle has the \
+        strain of its cell",
     foreseen: &["keep swinging"],
     make: ground,
 };
@@ -21,7 +22,8 @@ pub static GROUND: Question = Question {
 pub static WALLS: Question = Question {
     name: "walls",
     holds: "ground between smooth walls that are driven bodies carries the weight above each row, with each normal",
-    because: "2 % of the stress at the base, and what half a cell less a particle weighs; two cells at the surface and the base are left out, and as \
+    because: "2 % of the stress at the base, and the weight of half a cell less a particle; two cells at the \
+        surface and the base are left out, and as \
               many as the ground is wide where the walls begin a cell above its base, so that its foot bulges",
     foreseen: &["stands between driven bodies"],
     make: walls,

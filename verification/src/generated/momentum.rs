@@ -19,7 +19,8 @@ pub static MOMENTUM: Question = Question {
 pub static SPIN: Question = Question {
     name: "spin",
     holds: "bodies that collide keep their angular momentum with APIC",
-    because: "what nodes have of it particles get, and give back (Jiang et al. 2015); round-off is left",
+    because: "the transfer to the particles and back keeps the angular momentum of the nodes (Jiang et al. \
+        2015), but for round-off",
     foreseen: &[],
     make: spin,
 };

@@ -93,10 +93,7 @@ impl<'a> Check<'a> {
                 self.add(
                     "particles",
                     format!("{count}, which would need {} of memory", words(needed)),
-                    format!(
-                        "what fits into the {} that are free",
-                        words(memory.bytes() as f64)
-                    ),
+                    format!("at most the {} that are free", words(memory.bytes() as f64)),
                 );
             }
         }

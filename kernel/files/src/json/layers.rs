@@ -208,7 +208,7 @@ impl Build<'_> {
             if zone.material_id.is_none() && zone.particles_per_cell.is_none() {
                 self.missing(
                     format!("{path}.material_id"),
-                    "`material_id` or `particles_per_cell`: a box with what differs in it",
+                    "`material_id` or `particles_per_cell`: a box with the values that differ in it",
                 );
             }
             let key = format!("{path}.material_id");

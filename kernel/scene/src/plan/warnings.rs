@@ -139,7 +139,7 @@ fn stiff_contacts(scene: &Scene) -> Vec<String> {
         if gap > cell {
             all.push(format!(
                 "{name}: the critical gap of {gap} m is larger than a cell, {cell} m; the surfaces press on each other across \
-                 it, and what is smaller than the gap is blurred"
+                 it, and details smaller than the gap are blurred"
             ));
         }
         let softest = scene.softest(contact).unwrap_or(f64::INFINITY);

@@ -36,7 +36,7 @@ pub fn verdict(runs: &Runs<'_>) -> Verdict {
             format!("{variant}: error of {TOP}, {JUDGED}"),
             runs.error(&format!("{variant} {JUDGED}"), TOP),
             TOP_GATE,
-            "one percent at 32 cells is what the project promises",
+            "the project promises one percent at 32 cells",
         ));
     }
     let why = "order 2 is expected of uGIMP at small strain with dt like h²; 0.3 is left for coarse meshes";

@@ -237,7 +237,7 @@ pub(super) fn gates(runs: &Runs<'_>, rung: &Rung) -> Vec<Gate> {
         (YIELD, 1e-14, round_off),
         (AGAIN, 1e-14, round_off),
         (TURNED, 1e-14, round_off),
-        (WORK, 1e-14, "what flows dissipates, to round-off"),
+        (WORK, 1e-14, "plastic flow dissipates, to round-off"),
         (LANES, 0.0, "one set of bits"),
         (CORNERS, 1e-14, round_off),
     ];

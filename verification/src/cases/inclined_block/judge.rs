@@ -61,7 +61,7 @@ pub fn verdict(runs: &Runs<'_>) -> Verdict {
         let of = "all mu";
         match first.kind {
             Kind::Settled => {
-                let reason = "half a percent for every friction is what the project promises";
+                let reason = "the project promises half a percent for every friction";
                 gate(ACCELERATION, of, SLIDING_GATE, reason);
                 gate(WAY, of, SLIDING_GATE, reason);
             }

@@ -36,7 +36,7 @@ pub fn verdict(runs: &Runs<'_>) -> Verdict {
             let name = format!("{}: {name}", rung.label);
             gates.push(Gate::at_most(name, value, bound, reason));
         };
-        let figures = "5 % of what another implementation of the method gave";
+        let figures = "5 % of the result of another implementation of the method";
         at_most(
             format!("error of the {PRESSED}"),
             error(PRESSED),
@@ -46,7 +46,7 @@ pub fn verdict(runs: &Runs<'_>) -> Verdict {
         if size == Size::Full {
             at_most(format!("error of the {MEAN}"), error(MEAN), 0.05, figures);
             let off = (ACROSS_OFF * reading.stiffness / reading.figures[2]).abs();
-            let across = "10 N of what another implementation of the method gave, 20 and 82 N";
+            let across = "10 N of the results of another implementation of the method, 20 and 82 N";
             at_most(format!("error of the {ACROSS}"), error(ACROSS), off, across);
             // Both forces may be at the end of what they are allowed.
             at_most(

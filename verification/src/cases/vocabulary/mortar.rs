@@ -13,7 +13,7 @@ use crate::settings::{Method, Settings};
 use proctor_scene::simulation::Simulation;
 
 /// Reason for which no other solver can run a case.
-pub const NO_GUEST: &str = "mortar contact, which the manuals do not know, is what it is about";
+pub const NO_GUEST: &str = "its subject is mortar contact, which the manuals do not know";
 
 /// The paper's method.
 pub const PAPER: Method = Method {

@@ -25,7 +25,8 @@ pub const BACK: &str = "plastic work returned over the potential energy lost";
 pub const ASTRAY: &str =
     "distance of the centre of mass from the path of its momentum over its fall";
 pub const MOVING: &str = "final kinetic energy over the potential energy lost";
-pub const UNBOOKED: &str = "taken at planes and between particles and nodes, over what fell";
+pub const UNBOOKED: &str =
+    "taken at planes and between particles and nodes, over the energy of the fall";
 pub const FRONT: &str = "front at the end";
 pub const TOP: &str = "highest point at the end";
 
@@ -290,7 +291,7 @@ pub fn outlines(cells: &BTreeSet<[i64; 2]>) -> Vec<Vec<[i64; 2]>> {
 /// Words on a run, after the ending `what`, which judge nothing.
 pub fn said(runs: &Runs<'_>, label: &str, what: &str) -> String {
     format!(
-        "{label}: {what}; planes and the transfer took {:.0} % of what fell",
+        "{label}: {what}; planes and the transfer took {:.0} % of the energy of the fall",
         100.0 * runs.value(label, UNBOOKED)
     )
 }
@@ -306,7 +307,7 @@ pub fn gates(runs: &Runs<'_>, label: &str, rests: bool) -> Vec<Gate> {
         at_most(
             GAINED,
             1e-2,
-            "nothing gives energy but what falls; cells that are crossed ring by a share of it",
+            "only the fall gives energy; cells that are crossed ring by a share of it",
         ),
         at_most(
             BACK,
@@ -323,7 +324,7 @@ pub fn gates(runs: &Runs<'_>, label: &str, rests: bool) -> Vec<Gate> {
         gates.push(at_most(
             MOVING,
             1e-3,
-            "what is left is elastic ringing within the heap",
+            "elastic ringing within the heap remains",
         ));
     }
     gates

@@ -161,7 +161,7 @@ fn same() -> RowVerdict {
         .because(ORDER);
     let mut restart = gate("runs that were restarted with other bits")
         .none()
-        .because("what a step leaves behind is all that the next one needs");
+        .because("the state after a step is all that the next one needs");
     for method in methods() {
         let count = count_of(method, 60);
         let run = |scene: &Scene, options: &Options| -> Result<Simulation, RowFault> {

@@ -112,7 +112,7 @@ fn stiffness() -> RowVerdict {
     };
     let mut ratio = gate("error of the suddenly loaded soft layer over that of its own run")
         .at_most(2.0)
-        .because("what is 1e6 times as stiff is a rigid base, so that nothing but the shorter step differs");
+        .because("a base that is 1e6 times as stiff is rigid, so that nothing but the shorter step differs");
     for scheme in SCHEMES {
         let own = error(&LAYERS[1..], scheme, 0.0)?;
         ratio.see(error(LAYERS, scheme, 4.0)? / own);

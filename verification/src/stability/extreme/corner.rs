@@ -11,7 +11,7 @@ use proctor_scene::RigidLine;
 /// The rows of this file.
 pub static ROWS: &[Extreme] = &[Extreme::of("corner-fall", corner_fall)
         .with("free fall of a cube onto a ridge, and of a square onto its own corner")
-        .must("momentum is what weight and contact gave, nothing pulls, nothing passes, no growth of energy"),];
+        .must("momentum is that of weight and contact, nothing pulls, nothing passes, no growth of energy"),];
 
 /// Falls with contact along an axis, and what the worst of several must keep.
 pub(super) struct Falls {
@@ -33,7 +33,7 @@ impl Falls {
             up,
             pushed: gate(format!("{name}: impulse of contact over the momentum of the fall"))
                 .at_least(1.0)
-                .because("what is stopped has got at least the momentum that it fell with"),
+                .because("a stopped body has got at least the momentum that it fell with"),
             lost: gate(format!("{name}: momentum that neither weight nor contact gave"))
                 .at_most(ROUND_OFF)
                 .because(ONLY_ROUND_OFF),
@@ -42,7 +42,7 @@ impl Falls {
                 .because("contact never pulls"),
             sideways: gate(format!("{name}: impulse sideways over that upwards"))
                 .at_most(1e-5)
-                .because("the scene is its own mirror image; sweeps of contact end at 1e-6 of what the first one changes"),
+                .because("the scene is its own mirror image; sweeps of contact end at 1e-6 of the change of the first one"),
             grown: gate(format!("{name}: energy over what start and weight gave"))
                 .at_most(GROWN)
                 .because(NO_GROWTH),

@@ -19,7 +19,7 @@ const SPEED: f64 = 5e3;
 fn cells_per_step() -> RowVerdict {
     let mut moved = gate("cells that are crossed in a step")
         .at_most(0.5)
-        .because("what crosses more than half a cell in a step has skipped nodes that it should have met");
+        .because("a particle that crosses more than half a cell in a step has skipped nodes that it should have met");
     let mut off = gate("place against x_0 + v t")
         .at_most(ROUND_OFF)
         .because("nothing acts on a block that flies");

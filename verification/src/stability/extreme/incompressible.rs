@@ -79,7 +79,7 @@ fn nearly_incompressible() -> RowVerdict {
         .because("uniaxial strain: both stresses are the same strain times a constant");
         let mut same = gate(format!("{name}: settlement against a column of nu = 0 with the confined modulus"))
             .at_most(SAME)
-            .because("both obey one equation; what differs is round-off, to which 1/(1 - 2 nu) adds five digits");
+            .because("both obey one equation; they differ by round-off, to which 1/(1 - 2 nu) adds five digits");
         let mut off = gate(format!("{name}: settlement against the exact one"))
             .at_most(0.02)
             .because("eight cells: a front that is spread over (h² H)^(1/3) brings the mean off by its share of the height squared");

@@ -8,10 +8,10 @@ use proctor_kernel::memory::Memory;
 pub static ROWS: &[Extreme] = &[
     Extreme::of("no-particles", no_particles)
         .with("no body, an empty list of particles, a body without extent, a body all of which has left")
-        .must("refused with a reason; what has left is booked, and the empty run goes on"),
+        .must("refused with a reason; lost particles are booked, and the empty run goes on"),
     Extreme::of("empty-mesh", empty_mesh)
         .with("1e8 empty cells and four particles, in memory that does not hold them, and in that of the machine")
-        .must("refused with how much there is; what fits runs, and the body falls as it must"),
+        .must("refused with the free memory; a scene that fits runs, and the body falls as it must"),
 ];
 
 fn no_particles() -> RowVerdict {

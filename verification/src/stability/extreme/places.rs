@@ -58,7 +58,7 @@ fn one_particle() -> RowVerdict {
         .because("5d: 4e-16, two last digits of one");
     let mut at_edge = gate("the same on the boundary planes of the mesh, free, sliding and fixed")
         .at_most(4.5e-16)
-        .because("5d: 4e-16; what lies beyond a plane with a condition is folded back");
+        .because("5d: 4e-16; the region beyond a plane with a condition is folded back");
     let mut place = gate("weighted mean of the nodes' places less that of the particle [cells]")
         .at_most(2e-15)
         .because("nine weights with an error of 2e-16 each, at most one and a half cells away");

@@ -9,7 +9,7 @@ pub static ROWS: &[Extreme] = &[
         .must("the noise of the stress by cell crossing told; of linear functions at least ten times that of GIMP"),
     Extreme::of("null-space", null_space)
         .with("16 particles in a cell with stresses of alternating sign, which give no force at any node")
-        .must("what the grid does not see stays as it is, and no energy comes of it"),
+        .must("a mode that the grid does not see stays as it is, and makes no energy"),
 ];
 
 /// Root mean square of the stress less that at the start, over it, in a bar that creeps through a cell.

@@ -22,13 +22,13 @@ pub static ROWS: &[Extreme] = &[
         .must("the same"),
     Extreme::of("stiff-penalty", stiff_penalty)
         .with("a penalty of a rigid surface, per particle 1e2 and 1e4 times as stiff as a cell of the body")
-        .must("momentum is what weight and surface gave, nothing pulls, no growth of energy")
+        .must("momentum is that of weight and surface, nothing pulls, no growth of energy")
         .because(STRAINED),
 ];
 
 /// Reason for which particles come nearer to a surface than a penalty should let them.
-const STRAINED: &str = "a surface holds the face of a particle, so that its centre comes nearer by what the half of it between them is \
-             strained, a fortieth of a cell here; the penalty acts where contact gives no impulse";
+const STRAINED: &str = "a surface holds the face of a particle, so that its centre comes nearer by the strain \
+    of the half of it between them, a fortieth of a cell here; the penalty acts where contact gives no impulse";
 
 /// Stiffness of contact over that of a cell.
 const RATIOS: [f64; 2] = [1e2, 1e4];
@@ -53,10 +53,10 @@ fn mortar(enforcement: Enforcement, ratio: f64, friction: f64) -> Scene {
 fn stiff_mortar(scheme: StressScheme, ratio: f64) -> RowVerdict {
     let mut unbalanced = gate("sum of the forces on both, over the largest push")
         .at_most(1e-12)
-        .because("what nodes of the one get the nodes of the other give; sums over many vertices");
+        .because("nodes of the one get the momentum that nodes of the other give; sums over many vertices");
     let mut left = gate("energy after the collision over that before it")
         .at_most(1.1)
-        .because("the blocks have parted and nothing did work; what swings in them is seen with speeds half a step late");
+        .because("the blocks have parted and nothing did work; their swing is seen with speeds half a step late");
     let mut kept = Conservation::named("collision");
     let mut slowest = gate("speed at which they part over that at which they met")
         .at_least(f64::MIN_POSITIVE)

@@ -22,7 +22,7 @@ pub const STEP_OF_FASTEST: &str =
 /// Energy over that at the start from which a run is unstable.
 pub const GROWN: f64 = 2.0;
 /// Reason for which energy may not double.
-pub const NO_GROWTH: &str = "energy may swing by what half a step between speeds and forces does to it; an unstable run \
+pub const NO_GROWTH: &str = "energy may swing, as speeds and forces lie half a step apart; an unstable run \
      doubles it again and again";
 
 /// No end of a run that is left after so many steps, but a time to which the kernel counts its steps.

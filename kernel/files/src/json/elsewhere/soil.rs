@@ -45,7 +45,7 @@ pub(super) const ALL: &[ForeignWord] = &[
         "",
         &["stage", "staged", "phase", "phases", "construction"],
         &["stages", "initial_state.file"],
-        "here `stages`, a list of what each stage changes, or `initial_state`, the end of another run",
+        "here `stages`, a list of the changes of each stage, or `initial_state`, the end of another run",
     ),
     entry(
         "",

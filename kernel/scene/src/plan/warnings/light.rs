@@ -146,7 +146,7 @@ pub(super) fn swings(scene: &Scene) -> Vec<String> {
     let message = |body: &Body| {
         format!(
             "{}: with FLIP and MUSL or USF particles keep velocities against each other that no node has, and damping takes those \
-             of nodes alone: what has free sides hardly comes to rest, and its rows keep swinging by 2 to 15 % of the pressure on \
+             of nodes alone: a body with free sides hardly comes to rest, and its rows keep swinging by 2 to 15 % of the pressure on \
              it; \"APIC\" or \"TPIC\" and USL come to rest within 2 %",
             name(body)
         )

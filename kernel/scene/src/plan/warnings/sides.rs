@@ -45,8 +45,8 @@ pub(super) fn held_by_sides(scene: &Scene) -> Vec<String> {
                 "\"sliding\" planes leave it free along themselves"
             };
             all.push(format!(
-                "{}: the base moves along {word}, where {} {} still: {} the body, whose surface hardly follows the base, and \
-                 what the base gives is lost there; {instead}",
+                "{}: the base moves along {word}, where {} {} still: {} the body, whose surface hardly follows \
+                 the base, and the motion of the base is lost there; {instead}",
                 name(body),
                 names.join(", "),
                 if names.len() == 1 { "stands" } else { "stand" },

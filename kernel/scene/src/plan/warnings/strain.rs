@@ -31,7 +31,7 @@ pub(super) fn large_strain(scene: &Scene) -> Vec<String> {
         (strain > large).then(|| {
             format!(
                 "{}: strains of about {strain:.2} are to be expected ({}); `elastic` adds up increments of stress and has no energy \
-                 there, so that what it gives back is not what it took; `neo_hookean` and `hencky` have one",
+                 there, so that it does not give back the energy that it took; `neo_hookean` and `hencky` have one",
                 name(body),
                 words.join(", ")
             )

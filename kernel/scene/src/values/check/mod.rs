@@ -126,7 +126,7 @@ impl Scene {
                     Number(self.transfer.pic_fraction),
                     transfer.word
                 ),
-                "1: its affine velocity carries what FLIP keeps in the particles",
+                "1: its affine velocity carries the part that FLIP keeps in the particles",
             );
         }
     }

@@ -43,7 +43,7 @@ fn check_axis(scene: &Scene, problems: &mut Collector) {
         problems.add(
             "mesh.boundary_conditions.plane_X0",
             format!("{} on the axis of an axisymmetric mesh", low.word()),
-            "sliding: nothing crosses the axis, and what lies on it moves along it",
+            "sliding: nothing crosses the axis, and points on it move along it",
         );
     }
     for (key, condition) in [("plane_X0", low), ("plane_Xn", high)] {
