@@ -148,7 +148,7 @@ impl fmt::Display for OutputError {
             Self::Unlisted { path, first, count } => write!(
                 f,
                 "the output folder {} holds frames that the list of no earlier run names: found {count}, the first is \
-                 {first}; a viewer would show them among those of this run. ConstantRange: another folder, or this one without \
+                 {first}; a viewer would show them among those of this run. accepted: another folder, or this one without \
                  them",
                 path.display()
             ),
