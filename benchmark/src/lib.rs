@@ -1,4 +1,19 @@
-//! The benchmark half: what is measured, kept, judged and shown, and the `proctor` command over all of it.
+//! Measurements, records and their judge, tables, charts and the page, and the `proctor` command over all of it.
+//!
+//! ```text
+//! cases ──suite───────┐                  ┌──judge──► better, worse, the same
+//! methods ──precision─┤                  ├──show───► tables and charts on a terminal
+//! scenes ──bench──────┼──► one record ───┼──report─► a page of its own
+//! limits ──stability──┤     (JSON)       ├──history► numbers over commits
+//! solvers ──arena─────┘                  └──export─► JUnit, badges, other tools
+//! ```
+//!
+//! ```
+//! use proctor_benchmark::statistics::Summary;
+//!
+//! let times = Summary::of(&[2.0, 1.0, 4.0]).expect("at least one time");
+//! assert_eq!(times.median, 2.0);
+//! ```
 #![forbid(unsafe_code)]
 
 pub mod arena;

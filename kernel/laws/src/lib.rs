@@ -3,7 +3,21 @@
 //! Each is a type with the trait [`Law`] of the kernel, in the file of its name, and stands in
 //! one list, [`ALL`]. A law of a program's own does the same outside of this package, and is handed to a scene.
 //!
-//! The trait and what belongs to it are handed on under the same names, so that a program names one package.
+//! The trait and its types are handed on under the same names, so that a program names one package.
+//!
+//! ```
+//! use proctor_laws::{Point, VonMises};
+//!
+//! // A material point of steel is stretched by 1 % and yields: sqrt(3 J_2) stays at the yield stress.
+//! let steel = VonMises::new(2e11, 0.3, 2.5e8, 0.0).into();
+//! let mut point = Point::new(&steel, 7850.0, [0.0; 6]);
+//! for _ in 0..100 {
+//!     point.strain(&[1e-4, 0.0, 0.0, 0.0, 0.0, 0.0], 1e-6)?;
+//! }
+//! let [x, y, ..] = point.stress();
+//! assert!(((x - y) / 2.5e8 - 1.0).abs() < 1e-9);
+//! # Ok::<(), proctor_laws::PointFault>(())
+//! ```
 
 #![deny(unsafe_code)]
 // What is kept must not hang on the platform: see clippy.toml. Tests may compare with its functions.
