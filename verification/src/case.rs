@@ -20,6 +20,7 @@ pub use self::run::Run;
 pub use self::rung::Rung;
 pub use self::value::{Case, Plan};
 use crate::convergence::ConvergenceTable;
+use thiserror::Error;
 
 /// The part of the ladder that is run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -278,7 +279,8 @@ impl Verdict {
 }
 
 /// A rung that could not be solved.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("{case}, {rung}: {reason}")]
 pub struct CaseError {
     /// Name of the case.
     pub case: &'static str,
@@ -299,14 +301,6 @@ impl CaseError {
         }
     }
 }
-
-impl fmt::Display for CaseError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}, {}: {}", self.case, self.rung, self.reason)
-    }
-}
-
-impl std::error::Error for CaseError {}
 
 /// All cases, in the order in which they are shown.
 #[must_use]

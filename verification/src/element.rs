@@ -11,7 +11,7 @@ pub use closed_form::{exact_deviator, exact_pressure};
 use proctor_laws::{
     AnyLaw, CamClay, DruckerPrager, MohrCoulomb, Point, PointFault, Softening, Tresca, VonMises,
 };
-use std::fmt;
+use thiserror::Error;
 
 /// A test of the laboratory; z is the axis of the specimen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -189,9 +189,10 @@ impl State {
 }
 
 /// Reason for which a path ended.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum ElementError {
     /// The law gave no finite stress, or no volume was left.
+    #[error("step {step}: {fault}")]
     Fault {
         /// Step, from 1.
         step: usize,
@@ -199,6 +200,7 @@ pub enum ElementError {
         fault: PointFault,
     },
     /// No strain was found that keeps the stresses that are held.
+    #[error("step {step}: no strain keeps the stress that is held; it is missed by {missed:e} Pa")]
     NotHeld {
         /// Step, from 1.
         step: usize,
@@ -206,20 +208,6 @@ pub enum ElementError {
         missed: f64,
     },
 }
-
-impl fmt::Display for ElementError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Fault { step, fault } => write!(f, "step {step}: {fault}"),
-            Self::NotHeld { step, missed } => write!(
-                f,
-                "step {step}: no strain keeps the stress that is held; it is missed by {missed:e} Pa"
-            ),
-        }
-    }
-}
-
-impl std::error::Error for ElementError {}
 
 /// Most corrections of the strain of held stresses in a step.
 const CORRECTIONS: usize = 200;

@@ -4,40 +4,27 @@ use super::numbers::{self, Numbers};
 use super::{Builder, History, Point};
 use crate::record::error::Reason;
 use crate::record::{Record, RecordError};
-use std::fmt;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+use thiserror::Error;
 
 /// Records that are read before their numbers are joined.
 const AT_ONCE: usize = 32;
 
 /// Reason for which there is no history.
-#[derive(Debug)]
+#[derive(Debug, Error)]
 pub enum HistoryError {
     /// A file that is no record of this version.
+    #[error(transparent)]
     Record(RecordError),
     /// A path under which there is no record.
+    #[error("{}: no record; accepted: records, or folders of them", .0.display())]
     Nothing(PathBuf),
     /// Git gave no answer: what it said.
+    #[error("git: {0}")]
     Git(String),
 }
-
-impl fmt::Display for HistoryError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Record(error) => write!(f, "{error}"),
-            Self::Nothing(path) => write!(
-                f,
-                "{}: no record; accepted: records, or folders of them",
-                path.display()
-            ),
-            Self::Git(what) => write!(f, "git: {what}"),
-        }
-    }
-}
-
-impl std::error::Error for HistoryError {}
 
 /// The history of files, and of the files of folders. All are ordered by their dates if all of them have one; otherwise they
 /// keep the order in which they are given, and the files of a folder that of their names.

@@ -7,8 +7,8 @@ use super::change::{Change, Direction, RecordedValue, tolerance};
 use crate::record::{Meaning, renamed};
 use proctor_files::output::{OutputError, atomic};
 use serde::{Deserialize, Serialize};
-use std::fmt;
 use std::path::{Path, PathBuf};
+use thiserror::Error;
 
 /// Kind of the move of a number, in the words of the ledger.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -53,19 +53,12 @@ pub struct Ledger {
 }
 
 /// A ledger that cannot be read.
-#[derive(Debug)]
+#[derive(Debug, Error)]
+#[error("{}: {reason}", path.display())]
 pub struct LedgerError {
     path: PathBuf,
     reason: String,
 }
-
-impl fmt::Display for LedgerError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: {}", self.path.display(), self.reason)
-    }
-}
-
-impl std::error::Error for LedgerError {}
 
 impl Ledger {
     /// Reads a ledger, with all names as they are today ([`renamed`]).

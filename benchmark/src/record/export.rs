@@ -16,7 +16,8 @@ use super::{CaseKey, Cases, Record, Series, junit, summary};
 use crate::show::number;
 use crate::statistics::{Summary, median, ratio_interval};
 use serde_json::{Map, Value, json};
-use std::fmt::{self, Write as _};
+use std::fmt::Write as _;
+use thiserror::Error;
 
 /// Shape of an exported record.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,24 +41,15 @@ pub enum Format {
 }
 
 /// Reason for which a record cannot be exported.
-#[derive(Debug)]
+#[derive(Debug, Error)]
 pub enum ExportError {
     /// Nothing in the record has a place in the format.
+    #[error("nothing in the record has a place in this format")]
     Nothing,
     /// The text cannot be made.
+    #[error("CSV: {0}")]
     Csv(csv::Error),
 }
-
-impl fmt::Display for ExportError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Nothing => write!(f, "nothing in the record has a place in this format"),
-            Self::Csv(error) => write!(f, "CSV: {error}"),
-        }
-    }
-}
-
-impl std::error::Error for ExportError {}
 
 /// The text of a record in a format; `baseline` names it for critcmp. Runs that failed are left out but for CSV.
 ///

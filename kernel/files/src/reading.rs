@@ -3,10 +3,10 @@
 //! Everything that is read goes through here: see [`proctor_kernel::memory`].
 
 use proctor_kernel::memory::{Memory, words};
-use std::fmt;
 use std::fs;
 use std::io::{self, Read};
 use std::path::Path;
+use thiserror::Error;
 
 /// Bytes of memory for each byte of a file that is read and taken apart: a list of empty lists has three letters and
 /// three words of memory for each, and a vector that grows is there twice.
@@ -40,7 +40,8 @@ pub fn stream_to_string(from: impl Read) -> io::Result<String> {
 }
 
 /// A byte that stands in no text in UTF-8, and where it is, counted from 1.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[error("the byte 0x{byte:02x} in line {line}, column {column} is no UTF-8")]
 pub struct NotUtf8 {
     /// The byte.
     pub byte: u8,
@@ -49,18 +50,6 @@ pub struct NotUtf8 {
     /// Its column in characters.
     pub column: usize,
 }
-
-impl fmt::Display for NotUtf8 {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { byte, line, column } = self;
-        write!(
-            f,
-            "the byte 0x{byte:02x} in line {line}, column {column} is no UTF-8"
-        )
-    }
-}
-
-impl std::error::Error for NotUtf8 {}
 
 fn text(bytes: Vec<u8>) -> io::Result<String> {
     String::from_utf8(bytes).map_err(|error| {

@@ -15,10 +15,9 @@ mod mode;
 mod mode_sum;
 mod near_surface;
 
-use std::fmt;
-
 use mode::Medium;
 use mode_sum::{Amplitudes, Parity};
+use thiserror::Error;
 
 /// Body and load: the input of [`BoxSolution`].
 #[derive(Debug, Clone, PartialEq)]
@@ -42,7 +41,8 @@ pub struct BoxProblem {
 }
 
 /// Reason for which a [`BoxProblem`] has no solution here.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Error)]
+#[error("{field} is {value}, accepted is {accepted}")]
 pub struct InvalidBox {
     /// The field at fault.
     pub field: &'static str,
@@ -51,18 +51,6 @@ pub struct InvalidBox {
     /// Values that are accepted.
     pub accepted: &'static str,
 }
-
-impl fmt::Display for InvalidBox {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "{} is {}, accepted is {}",
-            self.field, self.value, self.accepted
-        )
-    }
-}
-
-impl std::error::Error for InvalidBox {}
 
 /// Stress at a point, Pa, tension positive: `[xx, yy, zz, xy, yz, zx]`.
 pub type Stress = [f64; 6];

@@ -21,23 +21,27 @@ pub mod scene;
 pub mod table;
 pub mod tension;
 
-use std::fmt;
-
 use proctor_scene::SceneError;
 use proctor_scene::simulation::{RestoreError, SetupError, StartError, StepError};
+use thiserror::Error;
 
 /// Error of a limit that was not found.
-#[derive(Debug)]
+#[derive(Debug, Error)]
 pub enum StabilityError {
     /// The scene is not sound.
+    #[error(transparent)]
     Scene(SceneError),
     /// It cannot be set up.
+    #[error(transparent)]
     Setup(SetupError),
     /// A step failed where none may: particles do not move.
-    Step(StepError),
+    #[error("a step with frozen particles failed: {0}")]
+    Step(#[from] StepError),
     /// A state was not taken up again.
-    Restore(RestoreError),
+    #[error(transparent)]
+    Restore(#[from] RestoreError),
     /// An iteration did not come to an end.
+    #[error("{what} did not converge: {residual:e} of it is left")]
     NoConvergence {
         /// Quantity that was sought.
         what: &'static str,
@@ -46,39 +50,11 @@ pub enum StabilityError {
     },
 }
 
-impl fmt::Display for StabilityError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Scene(error) => error.fmt(f),
-            Self::Setup(error) => error.fmt(f),
-            Self::Step(error) => write!(f, "a step with frozen particles failed: {error}"),
-            Self::Restore(error) => error.fmt(f),
-            Self::NoConvergence { what, residual } => {
-                write!(f, "{what} did not converge: {residual:e} of it is left")
-            }
-        }
-    }
-}
-
-impl std::error::Error for StabilityError {}
-
 impl From<StartError> for StabilityError {
     fn from(error: StartError) -> Self {
         match error {
             StartError::Scene(error) => Self::Scene(error),
             StartError::Setup(error) => Self::Setup(error),
         }
-    }
-}
-
-impl From<StepError> for StabilityError {
-    fn from(error: StepError) -> Self {
-        Self::Step(error)
-    }
-}
-
-impl From<RestoreError> for StabilityError {
-    fn from(error: RestoreError) -> Self {
-        Self::Restore(error)
     }
 }

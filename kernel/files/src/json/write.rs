@@ -3,8 +3,6 @@
 //! A written scene is read back as the same scene. What the language has no word for, or what is not written yet, is refused by
 //! name.
 
-use std::fmt;
-
 use serde_json::{Map, Value, json};
 
 use super::words::{
@@ -17,6 +15,7 @@ use proctor_scene::{
     BaseMotion, Body, Damping, Dimension, History, InitialStress, Mesh, Motion, OnImbalance,
     Outside, Scene, Shape, TimeStep, Transfer, Vector, VolumetricStrain,
 };
+use thiserror::Error;
 
 /// A scene in the language of scene files.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,19 +27,12 @@ pub struct SceneWriter {
 }
 
 /// Parts of a scene that are not written.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("{what} cannot be written into a scene file")]
 pub struct Omission {
     /// The part.
     pub what: String,
 }
-
-impl fmt::Display for Omission {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} cannot be written into a scene file", self.what)
-    }
-}
-
-impl std::error::Error for Omission {}
 
 /// Name of the file of a base motion.
 const RECORD: &str = "base.csv";

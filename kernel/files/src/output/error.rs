@@ -1,14 +1,15 @@
 //! Errors of writing output, and of taking up the output of an earlier run.
 
-use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
+use thiserror::Error;
 
 /// Error of output that could not be written or taken up again. Every variant names the file.
-#[derive(Debug)]
+#[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum OutputError {
     /// The output folder cannot be made, or is not a folder.
+    #[error("cannot make the output folder {}: {source}", path.display())]
     Folder {
         /// The folder asked for.
         path: PathBuf,
@@ -16,6 +17,7 @@ pub enum OutputError {
         source: io::Error,
     },
     /// The output folder is there, but no file can be written into it.
+    #[error("cannot write into the output folder {}: {source}", path.display())]
     NotWritable {
         /// The folder asked for.
         path: PathBuf,
@@ -23,11 +25,14 @@ pub enum OutputError {
         source: io::Error,
     },
     /// Another run writes into the output folder.
+    #[error("the output folder {} is in use: another run writes into it; accepted: a folder of its own for each run", path.display())]
     InUse {
         /// The folder asked for.
         path: PathBuf,
     },
     /// The output folder holds frames that the list of no earlier run names.
+    #[error("the output folder {} holds frames that the list of no earlier run names: found {count}, the first is {first}; \
+         a viewer would show them among those of this run. accepted: another folder, or this one without them", path.display())]
     Unlisted {
         /// The folder asked for.
         path: PathBuf,
@@ -37,6 +42,7 @@ pub enum OutputError {
         count: usize,
     },
     /// A file could not be written; the file that was there before is untouched.
+    #[error("cannot write {}: {source}", path.display())]
     Write {
         /// The file.
         path: PathBuf,
@@ -44,6 +50,7 @@ pub enum OutputError {
         source: io::Error,
     },
     /// A file could not be read.
+    #[error("cannot read {}: {source}", path.display())]
     Read {
         /// The file.
         path: PathBuf,
@@ -51,6 +58,7 @@ pub enum OutputError {
         source: io::Error,
     },
     /// A file of an earlier run is not what this program writes.
+    #[error("{}:{line}: {reason}", path.display())]
     Malformed {
         /// The file.
         path: PathBuf,
@@ -60,6 +68,7 @@ pub enum OutputError {
         reason: String,
     },
     /// An array of a frame, or a row of the history, has the wrong number of values.
+    #[error("{}: '{name}' has {found} values, expected {expected}", path.display())]
     Length {
         /// The file.
         path: PathBuf,
@@ -71,6 +80,7 @@ pub enum OutputError {
         found: usize,
     },
     /// A name of an array or column cannot be used.
+    #[error("{}: the name {name:?} cannot be used: {reason}", path.display())]
     Name {
         /// The file.
         path: PathBuf,
@@ -80,6 +90,7 @@ pub enum OutputError {
         reason: &'static str,
     },
     /// A time is not finite, or not later than the one before it.
+    #[error("{}: time {time:?} s {}", path.display(), unfit(*time, *last))]
     Time {
         /// The file.
         path: PathBuf,
@@ -89,6 +100,7 @@ pub enum OutputError {
         last: Option<f64>,
     },
     /// The history to be continued has other columns than the run writes.
+    #[error("{}: cannot be continued: it has the columns {}, the run writes {}", path.display(), found.join(","), expected.join(","))]
     Columns {
         /// The file.
         path: PathBuf,
@@ -123,96 +135,12 @@ impl OutputError {
     }
 }
 
-impl fmt::Display for OutputError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Folder { path, source } => {
-                write!(
-                    f,
-                    "cannot make the output folder {}: {source}",
-                    path.display()
-                )
-            }
-            Self::NotWritable { path, source } => {
-                write!(
-                    f,
-                    "cannot write into the output folder {}: {source}",
-                    path.display()
-                )
-            }
-            Self::InUse { path } => write!(
-                f,
-                "the output folder {} is in use: another run writes into it; accepted: a folder of its own for each run",
-                path.display()
-            ),
-            Self::Unlisted { path, first, count } => write!(
-                f,
-                "the output folder {} holds frames that the list of no earlier run names: found {count}, the first is \
-                 {first}; a viewer would show them among those of this run. accepted: another folder, or this one without \
-                 them",
-                path.display()
-            ),
-            Self::Write { path, source } => write!(f, "cannot write {}: {source}", path.display()),
-            Self::Read { path, source } => write!(f, "cannot read {}: {source}", path.display()),
-            Self::Malformed { path, line, reason } => {
-                write!(f, "{}:{line}: {reason}", path.display())
-            }
-            Self::Length {
-                path,
-                name,
-                expected,
-                found,
-            } => {
-                write!(
-                    f,
-                    "{}: '{name}' has {found} values, expected {expected}",
-                    path.display()
-                )
-            }
-            Self::Name { path, name, reason } => {
-                write!(
-                    f,
-                    "{}: the name {name:?} cannot be used: {reason}",
-                    path.display()
-                )
-            }
-            Self::Time {
-                path,
-                time,
-                last: Some(last),
-            } if time.is_finite() => {
-                write!(
-                    f,
-                    "{}: time {time:?} s is not later than {last:?} s, the last one there",
-                    path.display()
-                )
-            }
-            Self::Time { path, time, .. } => {
-                write!(f, "{}: time {time:?} s is not finite", path.display())
-            }
-            Self::Columns {
-                path,
-                expected,
-                found,
-            } => write!(
-                f,
-                "{}: cannot be continued: it has the columns {}, the run writes {}",
-                path.display(),
-                found.join(","),
-                expected.join(",")
-            ),
+/// The fault of a time \[s\] behind the last one.
+fn unfit(time: f64, last: Option<f64>) -> String {
+    match last {
+        Some(last) if time.is_finite() => {
+            format!("is not later than {last:?} s, the last one there")
         }
-    }
-}
-
-impl std::error::Error for OutputError {
-    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
-        match self {
-            Self::Folder { source, .. }
-            | Self::NotWritable { source, .. }
-            | Self::Write { source, .. }
-            | Self::Read { source, .. } => Some(source),
-            _ => None,
-        }
+        _ => "is not finite".to_owned(),
     }
 }

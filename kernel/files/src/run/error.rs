@@ -2,19 +2,23 @@
 
 use crate::output::{CheckpointError, OutputError};
 use proctor_scene::simulation::{SetupError, StepError};
-use std::fmt;
+use thiserror::Error;
 
 /// A run cannot start or go on.
-#[derive(Debug)]
+#[derive(Debug, Error)]
 pub enum RunError {
     /// The scene shows its fault at set-up. Bad input.
-    Setup(SetupError),
+    #[error(transparent)]
+    Setup(#[from] SetupError),
     /// The checkpoint cannot be used. Bad input.
-    Checkpoint(CheckpointError),
+    #[error(transparent)]
+    Checkpoint(#[from] CheckpointError),
     /// A file cannot be written or continued.
-    Output(OutputError),
+    #[error(transparent)]
+    Output(#[from] OutputError),
     /// A step failed.
-    Step(StepError),
+    #[error(transparent)]
+    Step(#[from] StepError),
 }
 
 impl RunError {
@@ -24,30 +28,3 @@ impl RunError {
         !matches!(self, Self::Step(_))
     }
 }
-
-impl fmt::Display for RunError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Setup(e) => e.fmt(f),
-            Self::Checkpoint(e) => e.fmt(f),
-            Self::Output(e) => e.fmt(f),
-            Self::Step(e) => e.fmt(f),
-        }
-    }
-}
-
-impl std::error::Error for RunError {}
-
-macro_rules! from {
-    ($variant:ident, $error:ty) => {
-        impl From<$error> for RunError {
-            fn from(error: $error) -> Self {
-                Self::$variant(error)
-            }
-        }
-    };
-}
-from!(Setup, SetupError);
-from!(Checkpoint, CheckpointError);
-from!(Output, OutputError);
-from!(Step, StepError);

@@ -12,12 +12,12 @@ use proctor_scene::{
     Body, BodyBoundary, BoxLoad, Dimension, Mesh, Mortar, PlaneCondition, RigidFacets, Scene,
     Shape, Vertices,
 };
-use std::fmt;
 use std::sync::Arc;
 
 use crate::case::{Rung, Size};
 use crate::settings::Method;
 use crate::study::Failure;
+use thiserror::Error;
 
 /// The variant of a rung that is solved in the plane, and that which is solved as a slab.
 pub const VARIANTS: [&str; 2] = ["plane", "slab"];
@@ -36,23 +36,14 @@ pub fn of(plane: Scene, is_slab: bool) -> Result<Scene, Failure> {
 }
 
 /// A scene that has no slab.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Error)]
 pub enum NoSlab {
     /// A shape of a body that cannot be extruded.
+    #[error("a {0} cannot be extruded")]
     Shape(&'static str),
     /// An extruded boundary is no surface.
+    #[error("{0}")]
     Surface(SurfaceError),
-}
-
-impl std::error::Error for NoSlab {}
-
-impl fmt::Display for NoSlab {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Shape(word) => write!(f, "a {word} cannot be extruded"),
-            Self::Surface(error) => write!(f, "{error}"),
-        }
-    }
 }
 
 /// Rungs of both variants at the given cells.

@@ -4,7 +4,7 @@ use super::barrier::Barrier;
 use super::indenter::Indenter;
 use super::material::NeoHookean;
 use super::mesh::Mesh;
-use std::fmt;
+use thiserror::Error;
 
 /// Share of the critical time step that is taken. The step is bounded from the sizes of the elements as they are
 /// when it is chosen; the rest is for what they may shrink before it is chosen again.
@@ -20,25 +20,14 @@ struct GaussPoint {
 }
 
 /// Reason for which a body could not be moved on.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[error("element {element} turned inside out at {time} s")]
 pub struct Failure {
     /// The element that turned inside out.
     pub element: usize,
     /// Time \[s\].
     pub time: f64,
 }
-
-impl fmt::Display for Failure {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "element {} turned inside out at {} s",
-            self.element, self.time
-        )
-    }
-}
-
-impl std::error::Error for Failure {}
 
 /// A body, of 1 m thickness, with the loads of the problems that it serves: gravity, viscous damping, and a barrier against
 /// its own mirror image behind the plane x = 0 or against an indenter.

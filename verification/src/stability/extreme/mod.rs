@@ -30,9 +30,8 @@ mod turning;
 mod vocabulary;
 mod watch;
 
-use std::fmt;
-
 use crate::case::Gate;
+use thiserror::Error;
 
 /// The lists of rows, in the order in which they are shown.
 static LISTS: &[&[Extreme]] = &[
@@ -149,16 +148,9 @@ impl Ending {
 }
 
 /// An error that a row should not have met, or a refusal that did not come.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("{0}")]
 pub struct RowFault(pub String);
-
-impl fmt::Display for RowFault {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
-    }
-}
-
-impl std::error::Error for RowFault {}
 
 impl Finding {
     /// The condition that must hold.
