@@ -22,6 +22,7 @@ mod hertz_sphere;
 mod homogeneous;
 mod indented_block;
 mod jet;
+mod lysmer;
 mod material_point;
 mod objective_rate;
 mod plastic_wave;

@@ -237,7 +237,8 @@ fn every_case_has_a_study_or_a_reason_why_not() {
             "cavity",
             "triaxial",
             "circular-footing",
-            "round-collapse"
+            "round-collapse",
+            "absorbing"
         ]
     );
 }

@@ -3,6 +3,7 @@
 // The hooks of all cases have one shape, whatever a case does with it.
 #![allow(clippy::needless_pass_by_value, clippy::unnecessary_wraps)]
 
+mod absorbing;
 mod angular_momentum;
 mod axis_aligned;
 mod bar;
@@ -165,6 +166,7 @@ list! {
     triaxial::[TRIAXIAL],
     circular_footing::[CIRCULAR_FOOTING],
     round_collapse::[ROUND_COLLAPSE],
+    absorbing::[ABSORBING],
 }
 
 /// The error of the stress, where a case has one.

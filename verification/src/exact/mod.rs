@@ -25,6 +25,7 @@ pub mod hertz_sphere;
 pub mod homogeneous;
 pub mod indented_block;
 pub mod jet;
+pub mod lysmer;
 pub mod material_point;
 pub mod objective_rate;
 pub mod plastic_wave;

@@ -1,0 +1,353 @@
+//! Does a wave come in and leave through an absorbing plane, straight and under an angle?
+//!
+//! Source: the wave equation in one dimension, and Lysmer and Kuhlemeyer 1969 (`exact/lysmer.rs`). *wave*: a pulse of
+//! compression comes in through the absorbing base of ground three wavelengths deep, doubles at the free surface, and leaves.
+//! It is compared when its middle is half a wavelength below the surface again. The energy left behind is read when all of it
+//! has gone. *beam*: a beam of compression strikes an absorbing plane at 30 and 60 degrees. The dashpots take up all but a
+//! share of its energy, which has a closed form; that of the beam is the mean over its plane waves.
+//!
+//! Expected: order 2 in displacement and stress. A prototype of the same method in one dimension left 4e-5 of the energy with
+//! 20 cells per wavelength and 3e-6 with 40. `proctor verify absorbing`.
+
+use super::prelude::*;
+use crate::exact::lysmer::Dashpots;
+
+const YOUNG: f64 = 1e6; // Young's modulus [Pa]
+const POISSON: f64 = 0.25;
+const DENSITY: f64 = 1000.0; // Density [kg/m³]
+const WAVELENGTH: f64 = 1.0; // [m]
+const DEPTH: f64 = 3.0; // Depth of the ground [m]
+const SPEED: f64 = 1e-9; // Largest velocity of the incoming wave over the wave speed
+/// Times of the wave in periods: middle of the pulse at the base, comparison, pulse inside, pulse gone.
+const MIDDLE: f64 = 1.5;
+const COMPARED: f64 = 5.0;
+const INSIDE: f64 = 3.0;
+const GONE: f64 = 10.5;
+/// Half-lengths of the beam along its way and across \[m\], at which its amplitude is exp(-1/2).
+const BEAM: [f64; 2] = [1.0, 1.5];
+/// Beams: name, angle to the normal \[°\], way to the plane \[m\], half the width of the ground and its height \[m\].
+const BEAMS: [(&str, f64, f64, [f64; 2]); 2] = [
+    ("beam 30°", 30.0, 5.0, [7.5, 9.0]),
+    ("beam 60°", 60.0, 10.3, [13.0, 10.5]),
+];
+/// Cells per wavelength of a beam.
+const BEAM_CELLS: [u32; 1] = [12];
+
+const WAVE: &str = "wave";
+const LEFT: &str = "energy that comes back";
+const SURFACE: &str = "peak velocity of the surface";
+const BASE: &str = "velocity of the base after the wave";
+const REFLECTED: &str = "reflected energy less that of the dashpots";
+const WRONG_SPEED: Wrong =
+    Wrong::factor("wave speed", 1.02).breaks(|gate| gate.contains(DISPLACEMENT));
+const WRONG_WAVE: Wrong =
+    Wrong::factor("incoming wave", 1.12).breaks(|gate| gate.contains(SURFACE));
+
+/// Absorbing planes.
+pub static ABSORBING: Case = Case::new(
+    "absorbing",
+    "Does a wave come in and leave through an absorbing plane, straight and under an angle?",
+)
+.ladder(Ladder::made(rungs))
+.method(|_| Settings::new(Method::DEFAULT))
+.scene(scene)
+.options(start)
+.displacements()
+.run(run)
+.gates_of_variants(&[
+    error(DISPLACEMENT)
+        .at_most_of(
+            [0.13, 0.035],
+            [
+                "a prototype was off by 10 to 13 % with 20 cells per wavelength",
+                "a prototype was off by 2.5 to 3.0 % with 40 cells per wavelength",
+            ],
+        )
+        .on(is_wave),
+    order(DISPLACEMENT)
+        .at_least(1.7, "dispersion is of order 2")
+        .on(is_wave),
+    error(SURFACE)
+        .at_most_of(
+            [0.08, 0.02],
+            [
+                "four times the bound at half the cell, as order 2 allows",
+                "a prototype was off by 0.2 to 0.7 % with 40 cells per wavelength",
+            ],
+        )
+        .on(is_wave),
+    value(LEFT)
+        .at_most_of(
+            [2e-4, 2.5e-5],
+            [
+                "a prototype left 4e-5 with 20 cells per wavelength, by pulses of many forms up to five times that",
+                "an eighth of the bound at twice the cell, as order 3 of the energy allows",
+            ],
+        )
+        .on(is_wave),
+    value(BASE)
+        .at_most_of(
+            [1e-2, 1e-3],
+            [
+                "a prototype had 2.6e-3 of the peak with 20 cells per wavelength",
+                "a prototype had 6e-7 of the peak with 40 cells per wavelength",
+            ],
+        )
+        .on(is_wave),
+    value(REFLECTED)
+        .at_most(1e-2, "one percent of the energy: dispersion of twelve cells per wavelength")
+        .on(is_beam),
+])
+.tables(&[TableRule::new(
+    "absorbing, {variant}, uGIMP, USL, FLIP",
+    &[DISPLACEMENT, STRESS, SURFACE],
+)
+.of(|variant| variant == WAVE)])
+.wrong_references(&[WRONG_SPEED, WRONG_WAVE])
+.no_study("its subject is the plane; *step-bar* and *bar* study waves with every method")
+.no_guest("the scenes of other solvers have no absorbing planes");
+
+fn is_wave(rung: &Rung) -> bool {
+    rung.variant == WAVE
+}
+
+fn is_beam(rung: &Rung) -> bool {
+    !is_wave(rung)
+}
+
+fn rungs(size: Size) -> Vec<Rung> {
+    let wave = |counts: &[u32]| {
+        let rungs = Rung::counted(WAVE, "wave lambda/h", WAVELENGTH, counts);
+        rungs.into_iter().map(|rung| rung.with(None::<usize>))
+    };
+    let beams = (0..BEAMS.len()).flat_map(|number| {
+        let (name, ..) = BEAMS[number];
+        let rungs = Rung::counted(name, &format!("{name} lambda/h"), WAVELENGTH, &BEAM_CELLS);
+        rungs.into_iter().map(move |rung| rung.with(Some(number)))
+    });
+    match size {
+        Size::Quick => wave(&[10, 20]).collect(),
+        Size::Full => wave(&[10, 20, 40]).chain(beams).collect(),
+    }
+}
+
+/// The beam of a rung, if it is one of a beam.
+fn beam(rung: &Rung) -> Option<(f64, f64, [f64; 2])> {
+    rung.problem::<Option<usize>>().map(|number| {
+        let (_, angle, way, size) = BEAMS[number];
+        (angle.to_radians(), way, size)
+    })
+}
+
+/// Speed of compression \[m/s\].
+fn speed() -> f64 {
+    p_wave_speed(YOUNG, POISSON, DENSITY)
+}
+
+fn period() -> f64 {
+    WAVELENGTH / speed()
+}
+
+/// A number of the pulse at a time in periods from its middle: velocity over the largest, and its integral in periods.
+fn pulse(s: f64) -> [f64; 2] {
+    let a = PI * PI * s * s;
+    let falls = libm::exp(-a);
+    [(1.0 - 2.0 * a) * falls, s * falls]
+}
+
+fn scene(rung: &Rung, settings: &Settings) -> Scene {
+    let h = rung.cell;
+    let (mesh, end, shape) = match beam(rung) {
+        None => {
+            let mut mesh = strip(h, [cells(DEPTH, h) + 1, 2]);
+            mesh.planes[0] = [PlaneCondition::Absorbing, PlaneCondition::Free];
+            (mesh, GONE * period(), rectangle([0.0; 2], [DEPTH, 2.0 * h]))
+        }
+        Some((_, way, [half, high])) => {
+            let mut mesh = open_plane(h, [-half, 0.0], [half, high]);
+            mesh.planes[0] = [PlaneCondition::Sliding; 2];
+            mesh.planes[1] = [PlaneCondition::Absorbing, PlaneCondition::Sliding];
+            let shape = rectangle([-half, 0.0], [half, high]);
+            (mesh, 2.0 * way / speed(), shape)
+        }
+    };
+    let mut scene = settings.applied(Scene {
+        time_step: settings.equal_steps(end, h, speed()).0,
+        materials: elastic(DENSITY, YOUNG, POISSON),
+        bodies: vec![body("ground", 1, shape)],
+        ..plane_scene("absorbing", mesh, end)
+    });
+    if is_wave(rung) {
+        scene.ground_beyond.incoming = Some(BaseMotion {
+            axis: 0,
+            side: 0,
+            motion: Motion::Velocity(incoming()),
+        });
+    }
+    scene
+}
+
+/// Velocity of the incoming wave in time.
+fn incoming() -> History {
+    const ROWS: u32 = 4000;
+    let times = (0..=ROWS).map(|i| 2.0 * MIDDLE * period() * f64::from(i) / f64::from(ROWS));
+    let times: Vec<f64> = times.collect();
+    let velocity = |t: &f64| [SPEED * speed() * pulse(t / period() - MIDDLE)[0], 0.0, 0.0];
+    History {
+        values: times.iter().map(velocity).collect(),
+        times,
+    }
+}
+
+/// The beam at the start: displacement `grad phi` of the potential `cos(k x) exp(-x²/2a² - y²/2b²)`, x along its way, and the
+/// velocity with which each of its plane waves goes along x.
+fn start(rung: &Rung, _: Reference, options: Options) -> Options {
+    let Some((angle, way, _)) = beam(rung) else {
+        return options;
+    };
+    let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+    let k = TAU / WAVELENGTH;
+    let [a2, b2] = BEAM.map(|length| length * length);
+    let size = SPEED * WAVELENGTH / k;
+    let (lambda, shear) = (
+        YOUNG * POISSON / ((1.0 + POISSON) * (1.0 - 2.0 * POISSON)),
+        YOUNG / (2.0 * (1.0 + POISSON)),
+    );
+    starting(options, move |place| {
+        let (right, up) = (place[0] + way * sin, place[1] - way * cos);
+        let (x, y) = (right * sin - up * cos, right * cos + up * sin);
+        let (c, s) = (libm::cos(k * x), libm::sin(k * x));
+        let falls = size * libm::exp(-0.5 * (x * x / a2 + y * y / b2));
+        // phi, its first and its second derivative along x; the factors of the derivatives across.
+        let f = c * falls;
+        let f1 = -(k * s + x / a2 * c) * falls;
+        let f2 = ((x * x / (a2 * a2) - 1.0 / a2 - k * k) * c + 2.0 * k * x / a2 * s) * falls;
+        let (g1, g2) = (-y / b2, y * y / (b2 * b2) - 1.0 / b2);
+        // In the axes of the beam.
+        let velocity = [-speed() * f2, -speed() * f1 * g1];
+        let strain = [f2, f * g2, f1 * g1];
+        let mean = lambda * (strain[0] + strain[1]);
+        let [along, across, both] = [
+            mean + 2.0 * shear * strain[0],
+            mean + 2.0 * shear * strain[1],
+            2.0 * shear * strain[2],
+        ];
+        // x points along (sin, -cos), y along (cos, sin).
+        InitialState {
+            stress: [
+                sin * sin * along + cos * cos * across + 2.0 * sin * cos * both,
+                cos * cos * along + sin * sin * across - 2.0 * sin * cos * both,
+                mean,
+                0.0,
+                0.0,
+                sin * cos * (across - along) + (sin * sin - cos * cos) * both,
+            ],
+            ..moving(
+                [
+                    sin * velocity[0] + cos * velocity[1],
+                    -cos * velocity[0] + sin * velocity[1],
+                    0.0,
+                ],
+                [[0.0; 3]; 3],
+            )
+        }
+    })
+}
+
+fn run(run: Run<'_>) -> Result<Measurements, Failure> {
+    if is_wave(run.rung) {
+        of_wave(run)
+    } else {
+        of_beam(run)
+    }
+}
+
+/// Energy of motion and strain \[J\].
+fn stored(simulation: &mut Simulation) -> f64 {
+    let energy = simulation.energy();
+    energy.kinetic + energy.strain
+}
+
+/// Velocity along x of the particles of the last row, or of the first \[m/s\].
+fn end_velocity(simulation: &Simulation, is_last: bool) -> f64 {
+    let set = &simulation.sets()[0];
+    let x = |p: usize| simulation.position(0, p)[0];
+    let all = 0..set.len();
+    let p = if is_last {
+        all.max_by(|&p, &q| x(p).total_cmp(&x(q)))
+    } else {
+        all.min_by(|&p, &q| x(p).total_cmp(&x(q)))
+    };
+    p.map_or(f64::NAN, |p| set.velocity(p)[0])
+}
+
+fn of_wave(run: Run<'_>) -> Result<Measurements, Failure> {
+    let (simulation, period) = (run.simulation, period());
+    let wave = run.reference.of(&WRONG_WAVE);
+    let c = run.reference.of(&WRONG_SPEED) * speed();
+    let peak = SPEED * speed();
+    let mut highest = 0.0_f64;
+    let mut watch = |simulation: &Simulation| {
+        highest = highest.max(end_velocity(simulation, true));
+    };
+    run_until(simulation, INSIDE * period, run.observer, &mut watch)?;
+    let came_in = stored(simulation);
+    run_until(simulation, COMPARED * period, run.observer, &mut watch)?;
+    let t = simulation.time();
+    // The wave on its way up, and down from its image above the surface.
+    let of = |x: f64| [x, 2.0 * DEPTH - x].map(|way| pulse((t - way / c) / period - MIDDLE));
+    let mut quantities = errors(
+        simulation,
+        |x| {
+            let [up, down] = of(x[0]);
+            [wave * peak * period * (up[1] + down[1]), 0.0, 0.0]
+        },
+        |x| {
+            let [up, down] = of(x[0]);
+            let stress = wave * DENSITY * c * peak * (down[0] - up[0]);
+            let across = POISSON / (1.0 - POISSON) * stress;
+            [stress, across, across, 0.0, 0.0, 0.0]
+        },
+    );
+    let scale = peak * period;
+    let points = along(simulation, 0, |p, x| {
+        let [up, down] = of(x);
+        let found = simulation.displacement(0, p).map_or(f64::NAN, |u| u[0]);
+        [found / scale, wave * (up[1] + down[1])]
+    });
+    run_until(simulation, GONE * period, run.observer, &mut watch)?;
+    quantities.extend([
+        Quantity::compared(SURFACE, highest, 2.0 * wave * peak, "m/s"),
+        Quantity::figure(LEFT, stored(simulation) / came_in, "1"),
+        Quantity::figure(BASE, end_velocity(simulation, false).abs() / peak, "1"),
+    ]);
+    let title = format!(
+        "displacement under a surface that a wave leaves, {}",
+        run.rung.label
+    );
+    let axes = [
+        "height above the base (m)",
+        "displacement / (speed of the wave x period)",
+    ];
+    Ok(Measurements::of(quantities).drawn(points.map(|points| Curve::new(title, axes, points))))
+}
+
+fn of_beam(run: Run<'_>) -> Result<Measurements, Failure> {
+    let simulation = run.simulation;
+    let Some((angle, ..)) = beam(run.rung) else {
+        return Err("a rung without a beam".into());
+    };
+    let before = stored(simulation);
+    run_until(simulation, simulation.scene().time, run.observer, |_| ())?;
+    let found = stored(simulation) / before;
+    let dashpots = Dashpots {
+        poisson: POISSON,
+        rates: [1.0; 2],
+    };
+    let exact = dashpots.reflected_beam(angle, TAU / WAVELENGTH * BEAM[1]);
+    Ok(Measurements::of([
+        Quantity::figure("reflected energy", found, "1"),
+        Quantity::figure("reflected energy of the dashpots", exact, "1"),
+        Quantity::figure(REFLECTED, (found - exact).abs(), "1"),
+    ]))
+}
