@@ -30,29 +30,38 @@ fn section(block: &KeyBlock) -> String {
         &block.path
     };
     let mut text = format!(
-        "\n## {heading}\n\n{}\n\n| key | value | unit | default | meaning |\n|---|---|---|---|---|\n",
+        "\n## {heading}\n\n{}\n\n| key | meaning | value |\n|---|---|---|\n",
         block.meaning
     );
     for key in block.keys.iter().filter(|key| key.name != EVERYWHERE) {
         let _ = writeln!(
             text,
-            "| `{}` | {} | {} | {} | {} |",
+            "| `{}` | {} | {} |",
             key.name,
-            cell(&values(key)),
-            cell(key.unit.as_deref().unwrap_or("")),
-            cell(&default(key)),
             cell(&meaning(key)),
+            cell(&value(key)),
         );
     }
     text
 }
 
-/// The default in words.
-fn default(key: &Key) -> String {
-    match &key.default {
-        KeyDefault::Value(value) => shown(value),
-        default => default.to_string(),
+/// The values that a key may have, their unit, and the default.
+fn value(key: &Key) -> String {
+    let mut text = values(key);
+    if let Some(unit) = &key.unit {
+        let _ = write!(text, " [{unit}]");
     }
+    match &key.default {
+        KeyDefault::Needed => text.push_str("; **needed**"),
+        KeyDefault::Value(value) => {
+            let _ = write!(text, "; default: {}", shown(value));
+        }
+        KeyDefault::Words(words) => {
+            let _ = write!(text, "; default: {words}");
+        }
+        KeyDefault::OfOther => {}
+    }
+    text
 }
 
 /// The meaning, and the keys without which it has none.
