@@ -3,9 +3,9 @@
 use super::choices::Effort;
 use super::cost::{At, Cost, cost};
 use super::findings::LEVELS;
+use super::forms::ProblemForms;
 use super::problems::keep_fields;
 use super::run::{LONG, USELESS};
-use super::shaped::Shapes;
 use crate::bench::children::{
     Calibration, GuestScene, OWN, Word, calibrate, is_endless, is_skip, is_word_fault, own,
 };
@@ -259,19 +259,19 @@ pub fn run(study: Study, peers: &[Peer], visit: &Visit<'_>) -> Result<Vec<PeerLi
             Err(_) if lines.iter().any(|line| !line.runs.is_empty()) => break,
             Err(reason) => return Err(reason.to_owned()),
         };
-        let shapes = Shapes::new(study, &rung, guest, peers)?;
+        let forms = ProblemForms::new(study, &rung, guest, peers)?;
         let folder = folder.join(study.name()).join(key(&rung.label));
         let mut due = None;
         for (peer, line) in peers.iter().zip(&mut lines) {
             if line.is_done(longest) {
                 continue;
             }
-            let Some(shaped) = shapes.of(peer.executable.space) else {
+            let Some(form) = forms.of(peer.executable.space) else {
                 line.left_out = Some(NOT_IN_PLANE);
                 continue;
             };
-            let (guest, handed) = (&shaped.guest, &shaped.handed);
-            let folder = shaped.folder(&folder);
+            let (guest, handed) = (&form.guest, &form.handed);
+            let folder = form.folder(&folder);
             let mut run = PeerRun {
                 rung: rung.clone(),
                 samples: vec![],
@@ -290,7 +290,7 @@ pub fn run(study: Study, peers: &[Peer], visit: &Visit<'_>) -> Result<Vec<PeerLi
                             run.particles = frames.last().map(|frame| frame.starts.len());
                             let own = peer.executable.name == OWN;
                             due = due.or(run.particles.filter(|_| own));
-                            as_many(run.particles, due.map(|due| shaped.particles(due)))?;
+                            as_many(run.particles, due.map(|due| form.particles(due)))?;
                             if let Some(last) = frames.last() {
                                 let name =
                                     format!("{}-against-exact.vtu", key(&peer.executable.name));

@@ -57,7 +57,7 @@ fn compare(desk: &Desk, arguments: &[&str]) -> Output {
     script
         .arg(desk.path("repository/scripts/compare-commits"))
         .args(arguments)
-        .args(["--ignore-time", "--cases", "corner-block"])
+        .args(["--ignore-time", "--cases", "bar"])
         .env("PATH", format!("{}:{path}", desk.path("bin").display()))
         .env("BUILDS", desk.name("builds"))
         .env("PROGRAM", env!("CARGO_BIN_EXE_proctor"))

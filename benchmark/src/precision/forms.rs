@@ -9,10 +9,10 @@ use proctor_verification::study::Study;
 use std::path::{Path, PathBuf};
 
 /// The problem of a run in each shape that a solver asks for.
-pub(super) struct Shapes(Vec<(Space, Option<Shaped>)>);
+pub(super) struct ProblemForms(Vec<(Space, Option<ProblemForm>)>);
 
 /// The problem in one shape.
-pub(super) struct Shaped {
+pub(super) struct ProblemForm {
     pub guest: Guest,
     pub handed: GuestScene,
     /// Particles over those of the shape that the case has.
@@ -21,7 +21,7 @@ pub(super) struct Shaped {
     folder: Option<String>,
 }
 
-impl Shapes {
+impl ProblemForms {
     /// Of the problem of a run, for some solvers.
     ///
     /// # Errors
@@ -42,15 +42,15 @@ impl Shapes {
         let mut all = vec![];
         for space in spaces {
             let made = study.guest(rung)?;
-            let (shaped, folder) = match space {
+            let (form, folder) = match space {
                 Space::Plane => (made.in_plane(), "plane".to_owned()),
                 Space::Slab(cells) => (Some(made.thick(cells)), format!("slab-{cells}")),
             };
-            let shaped = shaped.map(|shaped| Shaped::new(shaped, &guest, Some(folder)));
-            all.push((space, shaped.transpose()?));
+            let form = form.map(|form| ProblemForm::new(form, &guest, Some(folder)));
+            all.push((space, form.transpose()?));
         }
         let handed = GuestScene::new(&guest)?;
-        let as_it_is = Shaped {
+        let as_it_is = ProblemForm {
             guest,
             handed,
             more: 1.0,
@@ -61,13 +61,13 @@ impl Shapes {
     }
 
     /// The problem in a shape; none where it has none.
-    pub(super) fn of(&self, space: Space) -> Option<&Shaped> {
+    pub(super) fn of(&self, space: Space) -> Option<&ProblemForm> {
         let found = self.0.iter().find(|(known, _)| *known == space);
-        found.and_then(|(_, shaped)| shaped.as_ref())
+        found.and_then(|(_, form)| form.as_ref())
     }
 }
 
-impl Shaped {
+impl ProblemForm {
     fn new(guest: Guest, slab: &Guest, folder: Option<String>) -> Result<Self, String> {
         Ok(Self {
             handed: GuestScene::new(&guest)?,
