@@ -49,6 +49,9 @@ fn the_problems_of_words_are_sound_scenes_that_use_them() {
     }
 }
 
+/// A word, particles with their ways, and the fault that they show.
+type Case<'a> = (Word, Vec<([f64; 3], [f64; 3])>, Option<&'a str>);
+
 /// Of each word what is due, and what a solver leaves that does not know it.
 #[test]
 fn a_word_that_does_not_act_is_told_from_one_that_does() {
@@ -65,7 +68,6 @@ fn a_word_that_does_not_act_is_told_from_one_that_does() {
     // The base goes with 2 m/s².
     let shaken = 0.04 * 0.04;
     let upper = [0.4, 0.15, 0.4];
-    type Case<'a> = (Word, Vec<([f64; 3], [f64; 3])>, Option<&'a str>);
     let cases: [Case<'_>; 12] = [
         (
             Word::Planes,

@@ -2,6 +2,7 @@
 
 use crate::command::support::{Desk, code, fixture, stderr, stdout};
 use std::fs;
+use std::os::unix::fs::PermissionsExt as _;
 use std::path::Path;
 use std::process::{Command, Output};
 
@@ -50,7 +51,6 @@ fn compare(desk: &Desk, arguments: &[&str]) -> Output {
     let cargo = desk.path("bin/cargo");
     fs::create_dir_all(desk.path("bin")).expect("a folder");
     fs::write(&cargo, CARGO).expect("written");
-    use std::os::unix::fs::PermissionsExt as _;
     fs::set_permissions(&cargo, fs::Permissions::from_mode(0o755)).expect("may run");
     let path = std::env::var("PATH").unwrap_or_default();
     let mut script = Command::new("bash");
@@ -90,7 +90,6 @@ fn two_programs_are_compared_without_a_build() {
         env!("CARGO_BIN_EXE_proctor")
     );
     fs::write(&same, text).expect("written");
-    use std::os::unix::fs::PermissionsExt as _;
     fs::set_permissions(&same, fs::Permissions::from_mode(0o755)).expect("may run");
     let output = compare(&desk, &[env!("CARGO_BIN_EXE_proctor"), &same]);
     assert_eq!(code(&output), 0, "{}{}", stdout(&output), stderr(&output));
