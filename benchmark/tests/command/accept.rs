@@ -72,12 +72,7 @@ fn a_gain_is_taken_with_its_reason() {
 #[test]
 fn accepted_changes_are_counted() {
     let desk = Desk::new();
-    let (status, said) = accept(
-        &desk,
-        &record(0.1, 5.0),
-        &record(0.2, 6.0),
-        &["--worse"],
-    );
+    let (status, said) = accept(&desk, &record(0.1, 5.0), &record(0.2, 6.0), &["--worse"]);
     assert_eq!(status, 0, "{said}");
     let (status, said) = compare(&desk, &[]);
     assert_eq!(status, 0, "{said}");

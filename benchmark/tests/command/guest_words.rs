@@ -154,12 +154,13 @@ fn a_solver_of_two_dimensions_skips_what_is_not_in_the_plane() {
     let flat = json!({ "flat": {
         "command": [proctor, "run", "{scene}", "--out", "{out}"], "dimension": 2,
     }});
-    let (exit, text) = arena("sudden-weight", &flat);
+    let (exit, text) = arena("base-acceleration", &flat);
     assert_eq!(exit, 0, "{text}");
-    let told = "skip flat: a problem in three dimensions, and its `dimension` is 2 (sudden-weight)";
+    let told =
+        "skip flat: a problem in three dimensions, and its `dimension` is 2 (base-acceleration)";
     assert!(text.contains(told), "{text}");
     let desk = Desk::new();
-    let (exit, text, _) = precision(&desk, "sudden-weight", &flat);
+    let (exit, text, _) = precision(&desk, "base-acceleration", &flat);
     assert_eq!(exit, 0, "{text}");
     assert!(
         text.contains("skip  flat: a problem in three dimensions"),
