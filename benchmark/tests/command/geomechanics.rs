@@ -16,7 +16,7 @@ assert scene["mesh"]["origin"] == [0, 0, 0] and scene.get("shape_function", "GIM
 assert scene["n_threads"] == 1 and "fields" not in scene["results"] and "contact" not in scene
 h, dt = scene["mesh"]["cells_dimension"][0], scene["time_step"]
 top = h * scene["mesh"]["cells_number"][1]
-held = scene["mesh"]["boundary_conditions"]["plane_Yn"] == "fixed"
+held = scene["mesh"]["boundary_conditions"].get("plane_Yn") == "fixed"
 steps = int(scene["time"] / dt)
 g, surface = list(scene["gravity"]), scene.get("terrain_contact")
 if surface:
