@@ -102,7 +102,7 @@ impl Guest {
                 .map_or(1, |body| body.particles_per_cell[2]);
             match scene.dimension {
                 Dimension::Three => scene.mesh.cells[2] * per_cell,
-                _ => 1,
+                Dimension::Two => 1,
             }
         };
         if slab.is_in_plane() {
