@@ -5,6 +5,7 @@
 //! a slab one cell thick between rollers, a traction the nodal loads that it is integrated to, and a velocity that differs from
 //! place to place many small bodies. All are exact.
 
+mod plane;
 pub(crate) mod start;
 
 use proctor_scene::{

@@ -1,6 +1,8 @@
 //! Problems of the cases as other solvers run them: sound scenes in the words of scene files, and exact solutions that
 //! this kernel comes near.
 
+mod plane;
+
 use proctor_files::json::{from_json, write};
 use proctor_scene::simulation::{Options, Simulation};
 use proctor_scene::{Dimension, Mesh, OnImbalance, Scene, Vector};

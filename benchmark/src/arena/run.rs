@@ -1,10 +1,10 @@
 //! The runs of an arena: calibrations, then every case with every solver on its path of refinement.
 
-use crate::bench::children::{OWN, calibrate, is_skip, own};
+use crate::bench::children::{OWN, Word, calibrate, is_skip, own};
 use crate::bench::config::{Executable, Method};
 use crate::precision::cost::{At, Cost, cost};
 use crate::precision::findings::LEVELS;
-use crate::precision::peers::{self, AXES, Visit};
+use crate::precision::peers::{self, Visit};
 use crate::precision::rows::peer_rows;
 use crate::precision::{Peer, PeerLine};
 use crate::record::{Kind, Record, Row, key};
@@ -93,6 +93,7 @@ impl Solvers {
     pub fn calibrated(
         methods: &[Method],
         executables: Vec<Executable>,
+        words: &[Word],
         visit: &Visit<'_>,
         record: &mut Record,
     ) -> Self {
@@ -111,7 +112,8 @@ impl Solvers {
         let own = all.len();
         all.extend(executables);
         for (i, executable) in all.into_iter().enumerate() {
-            let (mut row, calibration) = calibrate(&executable, AXES, threads, folder, stop);
+            let axes = executable.space.axes();
+            let (mut row, calibration) = calibrate(&executable, axes, threads, folder, stop);
             if stop.load(Ordering::Relaxed) {
                 break;
             }
@@ -126,16 +128,15 @@ impl Solvers {
             record.push(row);
             let falls = if calibration.is_ok() { FALLS } else { 0 };
             for repetition in 1..=falls {
-                let (mut again, _) = calibrate(&executable, AXES, threads, folder, stop);
+                let (mut again, _) = calibrate(&executable, axes, threads, folder, stop);
                 again.kind = Kind::Sample { repetition };
                 record.push(again);
             }
             solvers.sound &= calibration.is_ok();
             solvers.guests += usize::from(i >= own);
-            solvers.peers.push(Peer {
-                executable,
-                calibration: calibration.map_err(|fault| fault.to_string()),
-            });
+            let calibration = calibration.map_err(|fault| fault.to_string());
+            let peer = Peer::new(executable, calibration, words, visit);
+            solvers.peers.push(peer);
         }
         solvers
     }
@@ -146,15 +147,11 @@ impl Solvers {
 pub fn run(problem: Problem, solvers: &[Peer], visit: &Visit<'_>, record: &mut Record) -> bool {
     let sound: Vec<Peer> = solvers
         .iter()
-        .filter_map(|peer| {
-            Some(Peer {
-                executable: peer.executable.clone(),
-                calibration: Ok(*peer.calibration.as_ref().ok()?),
-            })
-        })
+        .filter(|peer| peer.calibration.is_ok())
+        .cloned()
         .collect();
     let threads = visit.threads;
-    let lines = match peers::run_as(problem, &sound, visit) {
+    let lines = match peers::run(problem, &sound, visit) {
         Ok(lines) => lines,
         Err(reason) => {
             let mut row = Row::sample(format!("{ARENA}{}", problem.name()), 0, threads);
@@ -167,6 +164,9 @@ pub fn run(problem: Problem, solvers: &[Peer], visit: &Visit<'_>, record: &mut R
     for line in &lines {
         let start = Start::of(record, &line.name);
         let mut summary = summary(problem, line, threads, start);
+        if let Some(reason) = line.left_out {
+            summary.label(SKIPPED, reason);
+        }
         for run in &line.runs {
             match run.error.as_ref().err() {
                 Some(reason) if is_skip(reason) => summary.label(SKIPPED, reason.clone()),

@@ -9,6 +9,11 @@ use std::collections::BTreeMap;
 /// Beginning of the names of the aggregates that say what a line costs.
 const COST: &str = "cost_";
 
+/// Cost over the least up to which methods tie: times of one program that are taken minutes apart lie so far from each other.
+pub const TIE: f64 = 1.1;
+/// Methods of a tie that are named.
+const NAMED: usize = 3;
+
 /// Label of the rows of another solver.
 const SOLVER: &str = "executable";
 
@@ -86,6 +91,23 @@ impl Costs {
             .min_by(|(_, a), (_, b)| a.total_cmp(b))
     }
 
+    /// The methods that reach a level at the least cost and those that tie with them ([`TIE`]), the least first.
+    #[must_use]
+    pub fn tied(&self, level: usize) -> Vec<&str> {
+        let Some((_, least)) = self.cheapest(level) else {
+            return vec![];
+        };
+        let reached = self
+            .lines
+            .iter()
+            .filter_map(|line| Some((line.seconds[level]?, line.method.as_str())));
+        let mut tied: Vec<(f64, &str)> = reached
+            .filter(|(seconds, _)| *seconds <= TIE * least)
+            .collect();
+        tied.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+        tied.into_iter().map(|(_, method)| method).collect()
+    }
+
     /// Speed of the cheapest method over that of the default; none where the default does not reach the level.
     #[must_use]
     pub fn factor(&self, level: usize) -> Option<f64> {
@@ -107,13 +129,25 @@ impl Costs {
     /// The cheapest method for a level and what it gains over the default, in words.
     #[must_use]
     pub fn said(&self, level: usize) -> String {
-        let Some((method, _)) = self.cheapest(level) else {
-            return "not reached".to_owned();
+        let tied = self.tied(level);
+        let names = match tied.len() {
+            0 => return "not reached".to_owned(),
+            many if many > NAMED => {
+                format!(
+                    "{} = {} more",
+                    tied[..NAMED - 1].join(" = "),
+                    many + 1 - NAMED
+                )
+            }
+            _ => tied.join(" = "),
         };
         match self.factor(level) {
-            _ if method == Method::DEFAULT.to_string() => format!("{method}, the default"),
-            Some(factor) => format!("{method}, {}", times(factor)),
-            None => format!("{method}, default misses it"),
+            _ if tied == [Method::DEFAULT.to_string()] => format!("{names}, the default"),
+            _ if tied.contains(&Method::DEFAULT.to_string().as_str()) => {
+                format!("{names}, the default among them")
+            }
+            Some(factor) => format!("{names}, {}", times(factor)),
+            None => format!("{names}, default misses it"),
         }
     }
 
@@ -134,15 +168,16 @@ pub fn times(factor: f64) -> String {
 }
 
 /// Methods that reach a level at the least processor time, with the number of errors, the most first and then by their names;
-/// and the number of errors that no method brings so far down.
+/// and the number of errors that no method brings so far down. All methods of a tie count.
 #[must_use]
 pub fn winners(all: &[Costs], level: usize) -> (Vec<(&str, usize)>, usize) {
     let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
     let mut never = 0;
     for costs in all {
-        match costs.cheapest(level) {
-            Some((method, _)) => *counts.entry(method).or_default() += 1,
-            None => never += 1,
+        let tied = costs.tied(level);
+        never += usize::from(tied.is_empty());
+        for method in tied {
+            *counts.entry(method).or_default() += 1;
         }
     }
     let mut ranked: Vec<(&str, usize)> = counts.into_iter().collect();

@@ -12,5 +12,7 @@ pub mod run;
 
 pub use choices::{Effort, Line, Plan};
 pub use findings::Findings;
+mod forms;
+
 pub use peers::{Peer, PeerLine, PeerRun};
 pub use run::{CaseStudy, Run, RunNumbers, Sample};

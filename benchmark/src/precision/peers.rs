@@ -3,28 +3,77 @@
 use super::choices::Effort;
 use super::cost::{At, Cost, cost};
 use super::findings::LEVELS;
+use super::forms::ProblemForms;
 use super::problems::keep_fields;
 use super::run::{LONG, USELESS};
-use crate::bench::children::{Calibration, GuestScene, OWN, calibrate, is_endless, is_skip, own};
+use crate::bench::children::{
+    Calibration, GuestScene, OWN, Word, calibrate, is_endless, is_skip, is_word_fault, own,
+};
 use crate::bench::config::Executable;
 use crate::measure::Spent;
 use crate::record::{Row, key};
-use proctor_verification::case::Rung;
+use proctor_scene::Scene;
+use proctor_verification::case::{Rung, Size};
 use proctor_verification::convergence::{self, ConvergenceTable};
 use proctor_verification::study::Study;
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-/// Dimensions of all problems that other solvers get.
-pub(crate) const AXES: usize = 3;
-
 /// An executable, and what its calibration said.
+#[derive(Clone)]
 pub struct Peer {
     /// The executable.
     pub executable: Executable,
     /// Calibration of its frames, or the reason for which it is not to be trusted.
     pub calibration: Result<Calibration, String>,
+    /// Words of scenes that do not act in it, each with the reason.
+    pub faults: BTreeMap<Word, String>,
+}
+
+impl Peer {
+    /// A peer whose calibration passed has the problems of some words run too; this program knows them.
+    #[must_use]
+    pub fn new(
+        executable: Executable,
+        calibration: Result<Calibration, String>,
+        words: &[Word],
+        visit: &Visit<'_>,
+    ) -> Self {
+        let tried = calibration.is_ok() && !executable.is_own();
+        let mut faults = BTreeMap::new();
+        for &word in words.iter().filter(|_| tried) {
+            let fault = word.fault(&executable, visit.threads, visit.folder, visit.stop);
+            faults.extend(fault.map(|fault| (word, fault)));
+        }
+        Self {
+            executable,
+            calibration,
+            faults,
+        }
+    }
+
+    /// Its calibration, or the reason for which it is not given a scene: a failed calibration, or that of a word of the scene.
+    fn trusted(&self, scene: &Scene) -> Result<&Calibration, String> {
+        let calibration = self.calibration.as_ref().map_err(Clone::clone)?;
+        let fault = Word::of(scene)
+            .into_iter()
+            .find_map(|word| self.faults.get(&word));
+        fault.map_or(Ok(calibration), |fault| Err(fault.clone()))
+    }
+}
+
+/// Words that the first runs of studies use.
+#[must_use]
+pub fn words(studies: &[Study], size: Size) -> Vec<Word> {
+    let firsts = studies
+        .iter()
+        .filter_map(|study| study.guest(study.path(size).first()?).ok());
+    let mut all: Vec<Word> = firsts.flat_map(|guest| Word::of(&guest.scene)).collect();
+    all.sort_unstable();
+    all.dedup();
+    all
 }
 
 /// The runs of one executable on the path of a study.
@@ -36,6 +85,8 @@ pub struct PeerLine {
     pub method: Option<String>,
     /// Its runs, coarse to fine.
     pub runs: Vec<PeerRun>,
+    /// Reason for which it is not given the case.
+    pub left_out: Option<&'static str>,
 }
 
 /// A run of an executable.
@@ -75,7 +126,8 @@ impl PeerLine {
     /// True where a finer run would take too long, or end as the last one did.
     fn is_done(&self, longest: Option<Duration>) -> bool {
         self.runs.last().is_some_and(|run| {
-            let hopeless = |reason: &String| is_skip(reason) || is_endless(reason);
+            let hopeless =
+                |reason: &String| is_skip(reason) || is_endless(reason) || is_word_fault(reason);
             let took = run.samples.iter().map(|spent| spent.wall).max();
             run.error.as_ref().err().is_some_and(hopeless)
                 || longest.is_some_and(|longest| took > Some(longest))
@@ -118,6 +170,9 @@ impl PeerLine {
     }
 }
 
+/// Reason for which a solver of two dimensions does not get a case.
+const NOT_IN_PLANE: &str = "a problem in three dimensions, and its `dimension` is 2";
+
 /// Least order of an error that falls, and the error below which a solver is near its answer whatever its order.
 const FALLS: f64 = 0.3;
 const NEAR: f64 = 0.05;
@@ -130,52 +185,34 @@ pub fn stays(order: Option<f64>, error: f64) -> Option<&'static str> {
     )
 }
 
-/// Calibrates this program and each executable by the free fall, and adds a row for each to `rows`.
+/// Calibrates this program and each executable by the free fall and the problems of words, and adds a row of the fall for each
+/// to `rows`.
 pub fn calibrated(
     executables: Vec<Executable>,
-    threads: usize,
-    folder: &Path,
-    stop: &AtomicBool,
+    words: &[Word],
+    visit: &Visit<'_>,
     rows: &mut Vec<Row>,
 ) -> Vec<Peer> {
+    let Visit {
+        threads,
+        folder,
+        stop,
+        ..
+    } = *visit;
     own()
         .into_iter()
         .chain(executables)
         .map_while(|executable| {
-            let (row, calibration) = calibrate(&executable, AXES, threads, folder, stop);
+            let axes = executable.space.axes();
+            let (row, calibration) = calibrate(&executable, axes, threads, folder, stop);
             if stop.load(Ordering::Relaxed) {
                 return None;
             }
             rows.push(row);
-            Some(Peer {
-                executable,
-                calibration: calibration.map_err(|fault| fault.to_string()),
-            })
+            let calibration = calibration.map_err(|fault| fault.to_string());
+            Some(Peer::new(executable, calibration, words, visit))
         })
         .collect()
-}
-
-/// Runs a study's problem with every executable on its path, this program first. A run that fails does not end it; an
-/// interrupt does.
-///
-/// # Errors
-/// If other solvers cannot run it.
-pub fn run(
-    study: Study,
-    peers: &[Peer],
-    effort: Effort,
-    threads: usize,
-    folder: &Path,
-    stop: &AtomicBool,
-) -> Result<Vec<PeerLine>, String> {
-    let visit = Visit {
-        effort,
-        longest: None,
-        threads,
-        folder,
-        stop,
-    };
-    run_as(study, peers, &visit)
 }
 
 /// Options of a run of executables.
@@ -193,11 +230,12 @@ pub struct Visit<'a> {
     pub stop: &'a AtomicBool,
 }
 
-/// Runs a study as [`run`], as a visit says.
+/// Runs a study's problem with every executable on its path, this program first. A run that fails does not end it; an
+/// interrupt does.
 ///
 /// # Errors
 /// If other solvers cannot run it.
-pub fn run_as(study: Study, peers: &[Peer], visit: &Visit<'_>) -> Result<Vec<PeerLine>, String> {
+pub fn run(study: Study, peers: &[Peer], visit: &Visit<'_>) -> Result<Vec<PeerLine>, String> {
     let Visit {
         effort,
         longest,
@@ -211,6 +249,7 @@ pub fn run_as(study: Study, peers: &[Peer], visit: &Visit<'_>) -> Result<Vec<Pee
             name: peer.executable.name.clone(),
             method: peer.executable.method.clone(),
             runs: vec![],
+            left_out: None,
         })
         .collect();
     for rung in study.path(effort.size) {
@@ -220,36 +259,42 @@ pub fn run_as(study: Study, peers: &[Peer], visit: &Visit<'_>) -> Result<Vec<Pee
             Err(_) if lines.iter().any(|line| !line.runs.is_empty()) => break,
             Err(reason) => return Err(reason.to_owned()),
         };
-        let handed = GuestScene::new(&guest)?;
+        let forms = ProblemForms::new(study, &rung, guest, peers)?;
         let folder = folder.join(study.name()).join(key(&rung.label));
         let mut due = None;
         for (peer, line) in peers.iter().zip(&mut lines) {
             if line.is_done(longest) {
                 continue;
             }
+            let Some(form) = forms.of(peer.executable.space) else {
+                line.left_out = Some(NOT_IN_PLANE);
+                continue;
+            };
+            let (guest, handed) = (&form.guest, &form.handed);
+            let folder = form.folder(&folder);
             let mut run = PeerRun {
                 rung: rung.clone(),
                 samples: vec![],
                 particles: None,
                 error: Err(String::new()),
             };
-            match &peer.calibration {
-                Err(fault) => run.error = Err(fault.clone()),
+            match peer.trusted(&guest.scene) {
+                Err(fault) => run.error = Err(fault),
                 Ok(calibration) => {
-                    run.error = timed(&handed, &peer.executable, effort, threads, &folder, stop)
+                    run.error = timed(handed, &peer.executable, effort, threads, &folder, stop)
                         .and_then(|samples| {
                             run.samples = samples;
-                            handed.snapshots(&guest, &peer.executable, calibration, &folder)
+                            handed.snapshots(guest, &peer.executable, calibration, &folder)
                         })
                         .and_then(|frames| {
                             run.particles = frames.last().map(|frame| frame.starts.len());
                             let own = peer.executable.name == OWN;
                             due = due.or(run.particles.filter(|_| own));
-                            as_many(run.particles, due)?;
+                            as_many(run.particles, due.map(|due| form.particles(due)))?;
                             if let Some(last) = frames.last() {
                                 let name =
                                     format!("{}-against-exact.vtu", key(&peer.executable.name));
-                                keep_fields(&guest, last, &folder.join(name))?;
+                                keep_fields(guest, last, &folder.join(name))?;
                             }
                             guest.error(&frames)
                         })

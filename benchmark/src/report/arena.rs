@@ -38,6 +38,16 @@ pub fn section(record: &Record, pictures: &mut Pictures) -> Option<Section> {
         ));
         let caption = "Who took part; over ours: CPU to 1 % over the least of Proctor's methods";
         body.push_str(&as_html(caption, &show::arena::solvers(&board)));
+        let charts = arena_charts(&board).into_iter().map(|mut chart| {
+            chart.legend = arena_legend(&board);
+            Figure {
+                caption: chart.description.clone(),
+                chart,
+            }
+        });
+        let charts: Vec<Figure> = charts.collect();
+        // Pictures first: on a narrow page each line of the table is a block, and a board of all cases has a hundred of them.
+        body.push_str(&pictures.several("Arena", &charts));
         let caption = "CPU to an error, and the smallest error reached";
         body.push_str(&as_html(caption, &show::arena::cases(&board, true)));
         let reasons: String = show::arena::reasons(&board)
@@ -47,15 +57,6 @@ pub fn section(record: &Record, pictures: &mut Pictures) -> Option<Section> {
         if !reasons.is_empty() {
             body.push_str(&folded("failed or skipped", &reasons));
         }
-        let charts = arena_charts(&board).into_iter().map(|mut chart| {
-            chart.legend = arena_legend(&board);
-            Figure {
-                caption: chart.description.clone(),
-                chart,
-            }
-        });
-        let charts: Vec<Figure> = charts.collect();
-        body.push_str(&pictures.several("Arena", &charts));
     }
     (!body.is_empty()).then(|| Section {
         id: "arena",

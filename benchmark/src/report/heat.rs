@@ -2,10 +2,11 @@
 
 use super::cheapest::Costs;
 use super::html::escape;
+use crate::precision::costs::TIE;
 use std::fmt::Write as _;
 
 /// Times over the least of a case up to which a cell has each shade, the darkest first.
-const SHADES: [f64; 3] = [1.1, 2.0, 4.0];
+const SHADES: [f64; 3] = [TIE, 2.0, 4.0];
 
 /// The map, of the first error of each case that some method brings to 1 %.
 #[must_use]

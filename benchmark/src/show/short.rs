@@ -15,7 +15,7 @@ const SHOWN: usize = 3;
 pub fn studies(all: &[Costs], cases: usize, runs: usize, out: &mut dyn Write) -> io::Result<()> {
     writeln!(
         out,
-        "Fewest CPU seconds to an error, of {} errors of {cases} cases ({runs} runs):",
+        "Fewest CPU s to an error (ties: within 10 %); {} errors, {cases} cases, {runs} runs:",
         all.len(),
     )?;
     for (level, bound) in LEVELS.into_iter().enumerate() {

@@ -8,7 +8,7 @@ use crate::bench::config::{CommandLineChoices, Config, Method};
 use crate::exit::{Failure, Outcome};
 use crate::interrupt::Interrupt;
 use crate::precision::Effort;
-use crate::precision::peers::Visit;
+use crate::precision::peers::{self, Visit};
 use crate::progress::Progress;
 use crate::record::Record;
 use crate::say::say;
@@ -108,7 +108,13 @@ impl Arena {
             folder: folder.path(),
             stop: interrupt.flag(),
         };
-        let solvers = Solvers::calibrated(&methods, config.executables, &visit, &mut record);
+        let words = if self.speed {
+            vec![]
+        } else {
+            peers::words(&problems, visit.effort.size)
+        };
+        let executables = config.executables;
+        let solvers = Solvers::calibrated(&methods, executables, &words, &visit, &mut record);
         let mut sound = solvers.sound;
         if self.speed {
             sound &= speed::run(&solvers, &config.particles, &visit, &mut record);

@@ -7,6 +7,7 @@ use crate::bench::config::{CommandLineChoices, Config, Executable};
 use crate::exit::{Failure, Outcome};
 use crate::interrupt::Interrupt;
 use crate::precision::bounds::{self, Bound};
+use crate::precision::peers::Visit;
 use crate::precision::{CaseStudy, Effort, peers, rows, run};
 use crate::progress::Progress;
 use crate::record::Record;
@@ -99,12 +100,19 @@ impl Precision {
         self.can_write(&record)?;
         let interrupt = Interrupt::listen()?;
         let mut sound = true;
+        let visit = Visit {
+            effort,
+            longest: None,
+            threads,
+            folder: folder.path(),
+            stop: interrupt.flag(),
+        };
         let peers = match executables {
             None => None,
             Some(executables) => {
                 let mut rows = vec![];
-                let stop = interrupt.flag();
-                let peers = peers::calibrated(executables, threads, folder.path(), stop, &mut rows);
+                let words = peers::words(&studies, effort.size);
+                let peers = peers::calibrated(executables, &words, &visit, &mut rows);
                 show::calibrations(&peers, out)?;
                 out.flush()?;
                 sound = peers.iter().all(|peer| peer.calibration.is_ok());
@@ -123,8 +131,7 @@ impl Precision {
             if let Some(peers) = &peers
                 && !interrupt.raised()
             {
-                let flag = interrupt.flag();
-                match peers::run(study, peers, effort, threads, folder.path(), flag) {
+                match peers::run(study, peers, &visit) {
                     Ok(lines) => ran.peers = lines,
                     Err(reason) => ran.no_peers = Some(reason),
                 }

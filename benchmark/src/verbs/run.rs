@@ -6,6 +6,7 @@ use super::picture::draw_last;
 use super::plan::{OUT_OF_BALANCE, seeks_balance};
 use super::settings::{Settings, bounded};
 use super::stages;
+use crate::bench::children::SCRATCH;
 use crate::exit::{Failure, Outcome};
 use crate::interrupt::Interrupt;
 use crate::measure::Stopwatch;
@@ -14,7 +15,7 @@ use crate::say::say;
 use clap::Args;
 use proctor_files::json::{SourceMap, Stage};
 use proctor_files::output::summary::{SUMMARY, Status};
-use proctor_files::output::{OutputFolder, Summary};
+use proctor_files::output::{OutputFolder, Summary, atomic};
 use proctor_files::run::{Run as KernelRun, RunControl, RunError};
 use proctor_scene::simulation::{Bound, StepInfo};
 use report::Report;
@@ -61,6 +62,15 @@ struct Tally {
 
 impl Run {
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
+        match &self.out {
+            Some(folder) if std::env::var_os(SCRATCH).is_some() => {
+                atomic::without_waiting(folder, || self.run_stages(out))
+            }
+            _ => self.run_stages(out),
+        }
+    }
+
+    fn run_stages(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
         let stages = stages(&self.scene)?;
         let interrupt = Interrupt::listen()?;
         if let [Stage { name, .. }] = &stages[..]

@@ -7,3 +7,4 @@ mod frames;
 mod peers;
 mod scenes;
 mod sources;
+mod words;

@@ -70,6 +70,16 @@ fn a_gain_is_taken_with_its_reason() {
 }
 
 #[test]
+fn accepted_changes_are_counted() {
+    let desk = Desk::new();
+    let (status, said) = accept(&desk, &record(0.1, 5.0), &record(0.2, 6.0), &["--worse"]);
+    assert_eq!(status, 0, "{said}");
+    let (status, said) = compare(&desk, &[]);
+    assert_eq!(status, 0, "{said}");
+    assert!(said.contains("2 accepted changes"), "{said}");
+}
+
+#[test]
 fn what_is_worse_is_taken_only_where_it_is_asked_for() {
     let desk = Desk::new();
     // By half a per cent; and a figure, of which neither side is better.

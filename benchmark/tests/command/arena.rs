@@ -125,8 +125,14 @@ fn each_guest_that_misbehaves_is_a_row_with_its_reason_and_the_rest_goes_on() {
         "lacks": { "command": ["sh", "-c", "echo 'error: this solver needs numpy' >&2; exit 77", "{scene}"] },
         "same": toy("$0 run $1 --out $2"),
     }});
+    // A file beside the folders of the solvers, which none of them has to do with.
+    fs::write(desk.path("bystander"), "untouched").expect("written");
     let json = desk.name("a.json");
     let output = arena(&desk, &config, &["sudden-weight", "--json", &json]);
+    assert_eq!(
+        fs::read_to_string(desk.path("bystander")).ok().as_deref(),
+        Some("untouched")
+    );
     let text = stdout(&output);
     assert_eq!(code(&output), 1, "{text}{}", stderr(&output));
     // Lines are filled, so that a reason may be broken anywhere.

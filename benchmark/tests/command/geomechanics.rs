@@ -7,14 +7,16 @@ use std::fs;
 use std::process::Command;
 
 /// A program that reads what the adapter writes and leaves frames as MPM-Geomechanics does: labels of the step before,
-/// ASCII, and nothing of the mesh but that it begins at 0. Bodies fall freely or slide on the surface with Coulomb's
-/// friction.
+/// ASCII, and nothing of the mesh but that it begins at 0. Bodies fall freely, slide on the surface with Coulomb's
+/// friction, or rest at a fixed upper plane.
 const PROGRAM: &str = r#"
 import json, os, sys
 scene = json.load(open(sys.argv[1]))
 assert scene["mesh"]["origin"] == [0, 0, 0] and scene.get("shape_function", "GIMP") == "GIMP"
 assert scene["n_threads"] == 1 and "fields" not in scene["results"] and "contact" not in scene
 h, dt = scene["mesh"]["cells_dimension"][0], scene["time_step"]
+top = h * scene["mesh"]["cells_number"][1]
+held = scene["mesh"]["boundary_conditions"].get("plane_Yn") == "fixed"
 steps = int(scene["time"] / dt)
 g, surface = list(scene["gravity"]), scene.get("terrain_contact")
 if surface:
@@ -27,7 +29,8 @@ def write(number, taken):
     for body in scene["body"]:
         low, high, v = body["point_p1"], body["point_p2"], body["initial_velocity"]
         n = [round((b - a) / h * 2) for a, b in zip(low, high)]
-        u = [v[a] * t + 0.5 * g[a] * t * t for a in range(3)]
+        rests = held and abs(high[1] - top) < 1e-9
+        u = [0 if rests else v[a] * t + 0.5 * g[a] * t * t for a in range(3)]
         for i in range(n[0]):
             for j in range(n[1]):
                 for k in range(n[2]):

@@ -114,11 +114,16 @@ fn the_list_says_which_cases_are_open_and_what_each_needs() {
             .find(|line| line.split_whitespace().next() == Some(case));
         found.unwrap_or_else(|| panic!("{case}: {text}")).to_owned()
     };
-    assert!(line("step-bar").ends_with("3D, nodal loads"), "{text}");
     assert!(
-        line("self-weight").ends_with("3D, gravity, kinetic damping"),
+        line("step-bar").ends_with("2D or 3D, nodal loads"),
         "{text}"
     );
+    assert!(
+        line("self-weight").ends_with("2D or 3D, gravity, kinetic damping")
+            && !line("boussinesq").contains("2D"),
+        "{text}"
+    );
+    assert!(line("plastic-wave").contains("plasticity"), "{text}");
     assert!(text.contains("cases are open to other solvers"), "{text}");
     assert!(
         text.lines().all(|line| line.chars().count() <= 80),

@@ -7,6 +7,8 @@ mod arena;
 mod bad_input;
 mod bench;
 mod caution;
+#[cfg(unix)]
+mod commits;
 mod compare;
 mod drift;
 mod element;
@@ -19,6 +21,8 @@ mod generated;
 mod geomechanics;
 #[cfg(unix)]
 mod guest_bounds;
+#[cfg(unix)]
+mod guest_words;
 mod guests;
 mod history;
 mod keys;

@@ -32,6 +32,72 @@ fn a_base_shows_what_got_worse_in_the_words_of_compare() {
     assert!(stdout(&output).contains(verdict), "{}", stdout(&output));
     let page = fs::read_to_string(desk.path("head.html")).expect("a page");
     assert!(page.contains(verdict) && page.contains(">+50.0 %<"));
+    // One verdict: the banner is that of the card.
+    let (_, banner) = page.split_once("role=\"status\">").expect("a banner");
+    assert!(
+        banner.starts_with("<strong>WORSE</strong>"),
+        "{}",
+        &banner[..80]
+    );
+}
+
+/// Both name the time on the processors, and have one number of it.
+#[test]
+fn page_and_terminal_tell_one_time_and_name_its_kind() {
+    let desk = Desk::new();
+    let config = json!({
+        "scenes": "rest-2d", "particles": 400, "threads": 1, "stages": [], "repetitions": 3,
+        "particle_steps": 4000,
+    });
+    let (config, json) = (desk.scene("bench.json", &config), desk.name("b.json"));
+    let output = proctor(&["bench", &config, "--json", &json]);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    let terminal = stdout(&output);
+    let record = fs::read_to_string(&json).expect("a record");
+    let record: serde_json::Value = serde_json::from_str(&record).expect("JSON");
+    let rows = record["benchmarks"].as_array().expect("rows");
+    let steps = rows.iter().filter(|row| row["stage"] == "step");
+    let mut times: Vec<f64> = steps
+        .filter_map(|row| row["cpu_ns_per_particle_step"].as_f64())
+        .collect();
+    times.sort_by(f64::total_cmp);
+    assert_eq!(times.len(), 3, "{terminal}");
+    let line = terminal.lines().find(|line| line.contains("CPU ns"));
+    let heads: Vec<&str> = line
+        .expect("a head")
+        .split("  ")
+        .map(str::trim)
+        .filter(|w| !w.is_empty())
+        .collect();
+    let place = heads
+        .iter()
+        .position(|head| *head == "CPU ns")
+        .expect("a column");
+    let line = terminal
+        .lines()
+        .find(|line| line.trim().starts_with("rest-2d"));
+    let cells: Vec<&str> = line
+        .expect("a line")
+        .split("  ")
+        .map(str::trim)
+        .filter(|w| !w.is_empty())
+        .collect();
+    let told: f64 = cells[place].parse().expect("a number");
+    assert!((told / times[1] - 1.0).abs() < 0.05, "{told} {times:?}");
+    let page = desk.name("b.html");
+    assert_eq!(code(&proctor(&["report", &json, "--out", &page])), 0);
+    let page = fs::read_to_string(page).expect("a page");
+    let (_, speed) = page
+        .split_once(">Speed</a></dt><dd><strong>")
+        .expect("a speed");
+    let (number, words) = speed.split_once("</strong>").expect("a number");
+    let number: f64 = number
+        .split(' ')
+        .next()
+        .and_then(|n| n.parse().ok())
+        .expect("a number");
+    assert!((number / times[1] - 1.0).abs() < 0.05, "{number} {times:?}");
+    assert!(words.starts_with(" of processor time"), "{}", &words[..60]);
 }
 
 #[test]

@@ -8,6 +8,7 @@ mod found;
 mod guests;
 mod links;
 mod names;
+mod promises;
 mod scripts;
 
 use std::fs;

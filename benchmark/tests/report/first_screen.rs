@@ -108,6 +108,51 @@ fn the_cheapest_method_is_told_by_case_with_its_gain_the_largest_first() {
     }
 }
 
+/// Both take their names, counts and times from the same rows, which are those of the processors.
+#[test]
+fn ties_are_told_alike_on_page_and_terminal() {
+    let methods = [
+        ["uGIMP", "USL", "FLIP"],
+        ["cpGIMP", "MUSL", "APIC"],
+        ["linear", "USF", "TPIC"],
+    ];
+    let mut made = MadeUp::new();
+    for (case, seconds) in [
+        ("even", [1.0, 1.05, 1.2]),
+        ("three", [1.05, 1.0, 1.09]),
+        ("one", [2.0, 1.0, 3.0]),
+    ] {
+        for (method, seconds) in methods.into_iter().zip(seconds) {
+            made = made.with_cost(case, method, Some(seconds), Some(1e-3));
+        }
+    }
+    let page = made.page();
+    let panel = panel(&page, "cheapest");
+    for line in [
+        "even uGIMP USL FLIP = cpGIMP MUSL APIC, the default among them",
+        "three cpGIMP MUSL APIC = uGIMP USL FLIP = linear USF TPIC !, the default among them",
+        "one cpGIMP MUSL APIC, 2.0×",
+    ] {
+        assert!(panel.contains(line), "{line}: {panel}");
+    }
+    let headline = "most often cpGIMP MUSL APIC for 3 of 3 errors (within 10 %: a tie, all count)";
+    let answers = text(between(first(&page), "<dl class=\"answers\">", "</dl>")[0]);
+    assert!(
+        answers.contains(headline) && answers.contains("processor time"),
+        "{answers}"
+    );
+    let mut told = vec![];
+    let costs = proctor_benchmark::precision::costs::Costs::all(&made.record());
+    proctor_benchmark::show::short::studies(&costs, 3, 9, &mut told).expect("told");
+    let told = String::from_utf8(told).expect("text");
+    assert!(
+        told.contains("CPU s") && told.contains("ties: within 10 %"),
+        "{told}"
+    );
+    let line = "1 %:   cpGIMP MUSL APIC 3×, uGIMP USL FLIP 2×, linear USF TPIC ! 1×; none for 0";
+    assert!(told.contains(line), "{told}");
+}
+
 #[test]
 fn the_first_scene_of_the_record_stands_for_the_speed_and_the_others_have_a_line_each() {
     let several = whole()

@@ -19,7 +19,7 @@ use std::sync::atomic::AtomicBool;
 pub(super) const CELL: f64 = 0.1;
 /// Cells along an edge of the body, and empty ones on each side of it.
 pub(super) const CELLS: usize = 3;
-const AIR: usize = 3;
+pub(super) const AIR: usize = 3;
 /// Particles per cell and axis.
 pub(super) const PER_CELL: usize = 2;
 /// Step \[s\], and number of steps.

@@ -12,16 +12,18 @@ mod process;
 mod said;
 mod visit;
 mod watch;
+mod words;
 mod written;
 
 pub use calibration::{Calibration, Fault, judge, scene as free_fall};
 pub use compare::{difference, error, same_time};
 pub use finding::Finding;
-pub use process::{is_endless, is_skip};
+pub use process::{SCRATCH, is_endless, is_skip};
 pub(crate) use visit::GuestScene;
+pub use words::{Word, is_word_fault};
 
-use super::config::{Config, Executable, TimeLabel, proctor_command};
-use super::plan::words;
+use super::config::{Config, Executable, Space, TimeLabel, proctor_command};
+use super::plan::words as words_of;
 use super::scenes::{Exact, Made};
 use crate::frames::{self, Frame};
 use crate::record::Row;
@@ -75,6 +77,7 @@ pub fn own() -> Option<Executable> {
         warm_up: false,
         method: None,
         scene: Map::new(),
+        space: Space::Slab(1),
     })
 }
 
@@ -101,7 +104,7 @@ pub fn runs(config: &Config) -> Result<Vec<Child>, SceneError> {
                 let Made { scene, exact } = choice.make(particles, method);
                 let json = written(scene, &values);
                 let values = choice.checked(&json)?;
-                let method = words(&values);
+                let method = words_of(&values);
                 let size = if choice.scales() {
                     format!("/{particles}")
                 } else {

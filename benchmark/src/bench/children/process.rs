@@ -6,8 +6,8 @@ use crate::bench::config::Executable;
 use crate::measure::Spent;
 use crate::record::Row;
 use crate::show::bytes;
-use proctor_files::output::Summary;
 use proctor_files::output::summary::SUMMARY;
+use proctor_files::reading::read_to_string;
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
@@ -16,6 +16,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 use wait4::Wait4;
 
+/// Set where the results of a process are read at once and then removed or kept for a look: nothing has to wait for the disk.
+pub const SCRATCH: &str = "PROCTOR_SCRATCH";
 /// Exit code of a program that cannot run a scene and says so: a package is missing, or a word is not known. That of `automake`
 /// and `meson` for a test that is skipped.
 const SKIP: i32 = 77;
@@ -85,6 +87,7 @@ pub(super) fn run(
         .current_dir(executable.folder.as_deref().unwrap_or(out))
         // Most solvers take their number of threads from there.
         .env("OMP_NUM_THREADS", threads.to_string())
+        .env(SCRATCH, "1")
         .stdin(Stdio::null())
         .stdout(output)
         .stderr(errors);
@@ -142,21 +145,28 @@ fn cannot_start(program: &str, error: &std::io::Error) -> String {
     }
 }
 
-/// Steps and time per step, where the process is a `proctor` and left its summary.
+/// Steps and time per step, where the process left a `summary.json` that says them. Each key is read by itself: a solver
+/// need not write all that `proctor run` does, and what is no number above zero says nothing.
 pub(super) fn take_summary(out: &Path, particles: usize, row: &mut Row) {
-    let Some(summary) = fs::read_to_string(out.join(SUMMARY))
+    let Some(summary) = read_to_string(&out.join(SUMMARY))
         .ok()
-        .and_then(|text| serde_json::from_str::<Summary>(&text).ok())
+        .and_then(|text| serde_json::from_str::<Value>(&text).ok())
     else {
         return;
     };
-    row.count("steps", summary.steps as f64);
-    row.label("state_hash", format!("{:016x}", summary.state_hash));
-    if let Some(ns) = summary.ns_per_particle_step {
+    let number = |key: &str| summary[key].as_f64().filter(|x| x.is_finite() && *x > 0.0);
+    if let Some(hash) = summary["state_hash"].as_str() {
+        row.label("state_hash", hash);
+    }
+    if let Some(ns) = number("ns_per_particle_step") {
         row.count("cpu_ns_per_particle_step", ns);
     }
-    if let Some(wall) = summary.wall_seconds {
-        let particle_steps = particles as f64 * summary.steps as f64;
+    let Some(steps) = number("steps") else {
+        return;
+    };
+    row.count("steps", steps);
+    if let Some(wall) = number("wall_seconds") {
+        let particle_steps = particles as f64 * steps;
         row.count("wall_ns_per_particle_step", wall * 1e9 / particle_steps);
         row.count("particle_steps_per_second", particle_steps / wall);
     }

@@ -49,11 +49,16 @@ impl Outputs {
     }
 }
 
-/// A reason for a failure with the last that the process said on either output.
+/// A reason for a failure with the last that the process said on either output; where one of them speaks of an error, that one
+/// alone.
 pub(super) fn with_words(reason: &str, out: &Path) -> String {
+    let said = OUTPUTS.map(|(name, words)| (words, last_lines(&out.join(name))));
+    let of_errors = said.iter().any(|(_, said)| said.of_errors);
     let mut text = reason.to_owned();
-    for (name, words) in OUTPUTS {
-        let lines = last_lines(&out.join(name));
+    for (words, LastLines { lines, .. }) in said
+        .into_iter()
+        .filter(|(_, said)| said.of_errors || !of_errors)
+    {
         if !lines.is_empty() {
             text = format!("{text}; {words}: {}", lines.join(" / "));
         }
@@ -61,8 +66,15 @@ pub(super) fn with_words(reason: &str, out: &Path) -> String {
     text
 }
 
+/// The end of an output.
+struct LastLines {
+    lines: Vec<String>,
+    /// True if they speak of an error.
+    of_errors: bool,
+}
+
 /// The last lines of a file that are not blank.
-fn last_lines(path: &PathBuf) -> Vec<String> {
+fn last_lines(path: &PathBuf) -> LastLines {
     let read = || -> std::io::Result<Vec<u8>> {
         let mut file = File::open(path)?;
         let length = file.metadata()?.len();
@@ -91,12 +103,16 @@ fn last_lines(path: &PathBuf) -> Vec<String> {
         WORDS.iter().any(|word| line.contains(word))
     };
     let errors: Vec<String> = lines.iter().filter(speaks).cloned().collect();
-    let (lines, most) = if errors.is_empty() {
-        (lines, LINES)
-    } else {
+    let of_errors = !errors.is_empty();
+    let (lines, most) = if of_errors {
         (errors, ERRORS)
+    } else {
+        (lines, LINES)
     };
-    lines[lines.len().saturating_sub(most)..].to_vec()
+    LastLines {
+        lines: lines[lines.len().saturating_sub(most)..].to_vec(),
+        of_errors,
+    }
 }
 
 /// A line without control characters, and without the sequences that set colours on a terminal.
@@ -130,8 +146,24 @@ mod tests {
         let mut text = String::from("Error: the mesh is empty\n");
         text.extend((0..20).map(|i| format!("cleaning up {i}\n")));
         std::fs::write(&path, &text).expect("written");
-        assert_eq!(last_lines(&path), ["Error: the mesh is empty"]);
+        assert_eq!(last_lines(&path).lines, ["Error: the mesh is empty"]);
         std::fs::write(&path, text.replace("Error", "Note")).expect("written");
-        assert_eq!(last_lines(&path).len(), LINES);
+        assert_eq!(last_lines(&path).lines.len(), LINES);
+        // What else is said has nothing to do with the error.
+        let [errors, output] = OUTPUTS.map(|(name, _)| folder.path().join(name));
+        std::fs::write(&output, "Devices: one\n").expect("written");
+        let told = |text: &str| {
+            std::fs::write(&errors, text).expect("written");
+            with_words("it failed", folder.path())
+        };
+        let error = "error: no contact";
+        assert_eq!(
+            told(error),
+            format!("it failed; on standard error: {error}")
+        );
+        assert_eq!(
+            told("done"),
+            "it failed; on standard error: done; on standard output: Devices: one"
+        );
     }
 }

@@ -22,6 +22,15 @@ const END: f64 = 1.5;
 /// The file beside a scene with loads on nodes: what they are integrated from.
 const TRACTIONS: &str = "tractions.csv";
 
+/// Names the record of the base with its folder: not every solver looks for it beside the scene.
+fn name_whole(scene: &mut Value, name: &str, folder: &Path) -> Result<(), String> {
+    if scene["earthquake"]["file"] == name {
+        let whole = std::path::absolute(folder.join(name)).map_err(|error| error.to_string())?;
+        scene["earthquake"]["file"] = whole.display().to_string().into();
+    }
+    Ok(())
+}
+
 /// The tractions of a problem: corners of each rectangle (m) and force over area (Pa).
 fn tractions(guest: &Guest) -> String {
     let mut text = "x1_m,y1_m,z1_m,x2_m,y2_m,z2_m,tx_pa,ty_pa,tz_pa\n".to_owned();
@@ -79,7 +88,11 @@ impl GuestScene {
         let out = folder.join(crate::record::key(&executable.name));
         let file = folder.join(executable.scene_file());
         let run = || {
-            process::prepare(&out, &file, &executable.given(&self.scene))?;
+            let mut given = executable.given(&self.scene);
+            for (name, _) in &self.files {
+                name_whole(&mut given, name, folder)?;
+            }
+            process::prepare(&out, &file, &given)?;
             for (name, text) in &self.files {
                 let path = folder.join(name);
                 std::fs::write(&path, text)

@@ -2,13 +2,15 @@
 
 use super::check::Check;
 use super::raw::{OneOrMany, RawConfig, RawExecutable, RawSolver};
-use super::{Executable, TimeLabel};
+use super::{Executable, Space, TimeLabel};
 use crate::bench::children::OWN;
 use serde_json::Map;
 use std::time::Duration;
 
 /// Longest time that an executable may have \[s\]: a year.
 const LONGEST_TIMEOUT: f64 = 3.2e7;
+/// Most cells of a slab in place of a problem in the plane.
+const MOST_CELLS: usize = 16;
 /// Keys of a scene that say how it is solved, not what: an executable may have others than the scene.
 const OF_METHOD: [&str; 5] = [
     "shape_function",
@@ -39,6 +41,7 @@ impl Check<'_> {
                         warm_up: false,
                         method: None,
                         scene: Map::new(),
+                        space: Space::Slab(1),
                     }),
                     RawExecutable::Solver(solver) => self.solver(&path, name, solver),
                 }
@@ -82,6 +85,7 @@ impl Check<'_> {
             warm_up: solver.warm_up.unwrap_or(false),
             method: solver.method.clone(),
             scene,
+            space: self.space(path, solver),
         })
     }
 
@@ -95,6 +99,28 @@ impl Check<'_> {
         }
         self.unknown(path, word, &TimeLabel::ALL.map(|(known, _)| known));
         TimeLabel::default()
+    }
+
+    fn space(&mut self, path: &str, solver: &RawSolver) -> Space {
+        let cells = solver.thickness.unwrap_or(1);
+        if !(1..=MOST_CELLS).contains(&cells) {
+            let accepted = format!("a whole number from 1 to {MOST_CELLS}: cells of a slab");
+            self.add(format!("{path}.thickness"), cells.to_string(), accepted);
+        }
+        match solver.dimension {
+            Some(2) => {
+                if solver.thickness.is_some() {
+                    let accepted = "no thickness of a solver of two dimensions";
+                    self.add(format!("{path}.thickness"), cells.to_string(), accepted);
+                }
+                Space::Plane
+            }
+            None | Some(3) => Space::Slab(cells),
+            Some(other) => {
+                self.add(format!("{path}.dimension"), other.to_string(), "2 or 3");
+                Space::Slab(cells)
+            }
+        }
     }
 
     fn timeout(&mut self, path: &str, given: Option<f64>) -> Duration {

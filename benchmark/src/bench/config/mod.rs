@@ -14,6 +14,7 @@ pub use manual::{ManualTest, TestScene};
 pub use scene::{Method, SceneChoice};
 pub use time_label::TimeLabel;
 
+use super::children::OWN;
 use check::Check;
 use proctor_files::json::{parse, place, unreadable};
 use proctor_scene::SceneError;
@@ -55,6 +56,28 @@ pub struct Executable {
     pub method: Option<String>,
     /// Keys of the method, which replace those of each scene that it runs.
     pub scene: Map<String, Value>,
+    /// Shape in which it gets problems in the plane.
+    pub space: Space,
+}
+
+/// Shape of a problem in plane strain, as a solver gets it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Space {
+    /// A scene in two dimensions; the solver knows no other.
+    Plane,
+    /// A slab of so many cells between rollers.
+    Slab(usize),
+}
+
+impl Space {
+    /// Dimensions of what the solver runs.
+    #[must_use]
+    pub fn axes(self) -> usize {
+        match self {
+            Self::Plane => 2,
+            Self::Slab(_) => 3,
+        }
+    }
 }
 
 impl Executable {
@@ -69,6 +92,12 @@ impl Executable {
             given[key] = value.clone();
         }
         given
+    }
+
+    /// True for this program, with whatever method.
+    #[must_use]
+    pub fn is_own(&self) -> bool {
+        self.name == OWN || self.name.starts_with(&format!("{OWN} "))
     }
 
     /// Name of the file of a scene for it: executables with a scene of their own have a file of their own.

@@ -208,7 +208,8 @@ pub(super) enum RawExecutable {
 #[derive(Debug, Default, Deserialize)]
 #[serde(
     deny_unknown_fields,
-    expecting = "an object with `command`, `folder`, `timeout`, `time_label`, `warm_up`, `method` and `scene`"
+    expecting = "an object with `command`, `folder`, `timeout`, `time_label`, `warm_up`, `method`, `dimension`, `thickness` and \
+                 `scene`"
 )]
 pub(super) struct RawSolver {
     /// Program and arguments, with {scene}, {threads} and {out}.
@@ -223,6 +224,10 @@ pub(super) struct RawSolver {
     pub warm_up: Option<bool>,
     /// Its method, in words for tables.
     pub method: Option<String>,
+    /// 2 for a solver that gets problems in the plane as such, and no others. Default: 3.
+    pub dimension: Option<usize>,
+    /// Cells of the slab that a problem in the plane becomes for a solver of three dimensions. Default: 1.
+    pub thickness: Option<usize>,
     /// Keys of the method that take the place of those of the scene.
     pub scene: Option<serde_json::Map<String, serde_json::Value>>,
 }
@@ -300,7 +305,7 @@ impl<'de> Visitor<'de> for ExecutableVisitor {
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(
             "the path of a proctor in quotes, or an object with `command`, `folder`, `timeout`, \
-             `time_label`, `warm_up`, `method` and `scene`",
+             `time_label`, `warm_up`, `method`, `dimension`, `thickness` and `scene`",
         )
     }
 

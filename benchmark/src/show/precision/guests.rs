@@ -1,8 +1,9 @@
 //! Other solvers on a terminal: which cases are open to them, and the bounds that they keep.
 
 use crate::show::{Table, filled, percent};
-use proctor_scene::{Damping, Scene};
+use proctor_scene::Damping;
 use proctor_verification::case::{Gate, Size};
+use proctor_verification::guest::Guest;
 use proctor_verification::study::Study;
 use std::io::{self, Write};
 
@@ -26,7 +27,7 @@ pub fn list(studies: &[Study], out: &mut dyn Write) -> io::Result<()> {
                     runs(study, Size::Quick),
                     runs(study, Size::Full)
                 ),
-                needs(&guest.scene).join(", "),
+                needs(&guest).join(", "),
             ]),
             Some(Err(reason)) => closed.push((study.name(), reason)),
             None => {}
@@ -57,15 +58,23 @@ fn runs(study: &Study, size: Size) -> usize {
     path.iter().filter(|rung| study.guest(rung).is_ok()).count()
 }
 
-/// Features that a scene needs of a solver, in the words of the manuals.
-fn needs(scene: &Scene) -> Vec<String> {
-    let mut needs = vec![format!("{}D", scene.dimension.axes())];
+/// Features that a problem needs of a solver, in the words of the manuals.
+fn needs(guest: &Guest) -> Vec<String> {
+    let scene = &guest.scene;
+    let axes = scene.dimension.axes();
+    let mut needs = vec![if guest.is_in_plane() {
+        format!("2D or {axes}D")
+    } else {
+        format!("{axes}D")
+    }];
     let mut add = |is: bool, what: &str| {
         if is {
             needs.push(what.to_owned());
         }
     };
     add(scene.gravity.iter().any(|g| *g != 0.0), "gravity");
+    let yields = scene.materials.iter().any(|material| material.law.yields());
+    add(yields, "plasticity");
     add(scene.bodies.len() > 1, "several bodies");
     add(!scene.point_loads.is_empty(), "nodal loads");
     add(!scene.tractions.is_empty(), "tractions");

@@ -57,6 +57,9 @@ pub fn calibrations(peers: &[Peer], out: &mut dyn Write) -> io::Result<()> {
             }
             Err(fault) => writeln!(out, "FAIL  {name}: {fault}")?,
         }
+        for fault in peer.faults.values() {
+            paragraph(&format!("FAIL  {name}: {fault}"), 2, out)?;
+        }
     }
     writeln!(out)
 }
@@ -231,6 +234,9 @@ fn peers(studied: &CaseStudy, out: &mut dyn Write) -> io::Result<()> {
          most; whole processes, frames judged by the first error"
     )?;
     for peer in &studied.peers {
+        if let Some(reason) = peer.left_out {
+            paragraph(&format!("skip  {}: {reason}", peer.name), 2, out)?;
+        }
         for run in &peer.runs {
             if let Err(reason) = &run.error {
                 writeln!(out, "  FAIL  {}, {}: {reason}", peer.name, run.rung.label)?;

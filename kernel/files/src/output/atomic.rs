@@ -1,5 +1,6 @@
 //! Files that are whole or not there, and the folder they go into.
 
+use std::cell::Cell;
 use std::fs::{self, File, TryLockError};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -42,10 +43,47 @@ fn write_with(path: &Path, fill: impl FnOnce(&mut dyn Write) -> io::Result<()>) 
     let file = writer
         .into_inner()
         .map_err(io::IntoInnerError::into_error)?;
-    file.as_file().sync_all()?;
+    if waits() {
+        count_wait();
+        file.as_file().sync_all()?;
+    }
     file.persist(path)?;
-    sync_folder(folder);
+    if waits() {
+        sync_folder(folder);
+    }
     Ok(())
+}
+
+thread_local! {
+    /// True while files of this thread wait for the disk, and how many times it has waited.
+    static WAITING: Cell<(bool, u64)> = const { Cell::new((true, 0)) };
+}
+
+fn waits() -> bool {
+    WAITING.get().0
+}
+
+fn count_wait() {
+    let (waits, count) = WAITING.get();
+    WAITING.set((waits, count + 1));
+}
+
+/// Number of times that this thread has waited for the disk, for a file or a folder.
+#[must_use]
+pub fn number_of_waits() -> u64 {
+    WAITING.get().1
+}
+
+/// Does work whose files, in the folder `path`, take their names without waiting for the disk, and waits once at its end, for
+/// the folder. Each file is whole for who reads it; only a loss of power may take it. For results that are read at once and
+/// then thrown away: of 29 ms of work with 21 frames the waiting made 440 ms.
+pub fn without_waiting<T>(path: &Path, work: impl FnOnce() -> T) -> T {
+    let (before, count) = WAITING.get();
+    WAITING.set((false, count));
+    let done = work();
+    WAITING.set((before, number_of_waits()));
+    sync_folder(path);
+    done
 }
 
 fn temporary(folder: &Path) -> io::Result<NamedTempFile> {
@@ -66,6 +104,7 @@ fn temporary(folder: &Path) -> io::Result<NamedTempFile> {
 fn sync_folder(folder: &Path) {
     #[cfg(unix)]
     if let Ok(folder) = fs::File::open(folder) {
+        count_wait();
         let _ = folder.sync_all();
     }
     #[cfg(not(unix))]
