@@ -230,6 +230,8 @@ fn every_case_has_a_study_or_a_reason_why_not() {
             "column-terzaghi",
             "hydrostatic-jump",
             "seepage",
+            "undrained-patch",
+            "xie-leo",
             "breathing",
             "revolved",
             "thick-sphere",

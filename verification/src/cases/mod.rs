@@ -62,8 +62,10 @@ mod thick_cylinder;
 mod thick_sphere;
 mod tilted_incline;
 mod triaxial;
+mod undrained_patch;
 mod vocabulary;
 mod vortex;
+mod xie_leo;
 mod yielding_column;
 mod yielding_cylinder;
 
@@ -157,6 +159,8 @@ list! {
     column_terzaghi::[COLUMN_TERZAGHI],
     hydrostatic_jump::[HYDROSTATIC_JUMP],
     seepage::[SEEPAGE],
+    undrained_patch::[UNDRAINED_PATCH],
+    xie_leo::[XIE_LEO],
     breathing::[BREATHING],
     revolved::[REVOLVED],
     thick_sphere::[THICK_SPHERE],
