@@ -65,7 +65,6 @@ mod triaxial;
 mod undrained_patch;
 mod vocabulary;
 mod vortex;
-mod xie_leo;
 mod yielding_column;
 mod yielding_cylinder;
 
@@ -160,7 +159,6 @@ list! {
     hydrostatic_jump::[HYDROSTATIC_JUMP],
     seepage::[SEEPAGE],
     undrained_patch::[UNDRAINED_PATCH],
-    xie_leo::[XIE_LEO],
     breathing::[BREATHING],
     revolved::[REVOLVED],
     thick_sphere::[THICK_SPHERE],
