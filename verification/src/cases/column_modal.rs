@@ -72,16 +72,7 @@ fn rungs(size: Size) -> Vec<Rung> {
     match size {
         Size::Quick => of_soil(1, &[16, 32]),
         Size::Full => (0..SOILS.len())
-            .flat_map(|number| {
-                of_soil(
-                    number,
-                    if number == 0 {
-                        &[20, 32]
-                    } else {
-                        &[16, 32]
-                    },
-                )
-            })
+            .flat_map(|number| of_soil(number, if number == 0 { &[20, 32] } else { &[16, 32] }))
             .collect(),
     }
 }
