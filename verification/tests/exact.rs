@@ -44,6 +44,7 @@ mod turned;
 mod two_phase_column;
 mod two_slopes;
 mod vortex;
+mod wavy_layer;
 mod yielding_column;
 mod yielding_wall;
 

@@ -50,6 +50,10 @@ pub fn scenes_and_parts() -> Result<Vec<Item>, Box<dyn Error>> {
     for name in scenes::names().filter(|name| !name.starts_with(SLABS)) {
         push(format!("{name}/step"), make(&name)?, "step");
     }
+    // What water costs is seen beside the same scene without.
+    for name in ["consolidation-2d", "consolidation-3d"] {
+        push(format!("{name}/dry/step"), scenes::dry(make(name)?), "step");
+    }
     let moving = make("moving-3d")?;
     for (weighting, scheme, transfer) in [
         ("linear", "USL", "FLIP"),

@@ -4,7 +4,10 @@
 //! A new one is one more entry of [`BUILT_IN`].
 
 mod touching;
+mod wet;
 mod yielding;
+
+pub use wet::dry;
 
 use proctor_scene::Vector;
 use proctor_verification::exact::sudden_weight::SuddenWeight;
@@ -121,6 +124,11 @@ pub const BUILT_IN: &[BuiltIn] = &[
         "mortar",
         "a block on a fixed base and one that slides on it, in mortar contact",
         touching::mortar,
+    ),
+    built_in(
+        "consolidation",
+        "a layer of soil and water that settles under its weight and drains at its top",
+        wet::consolidation,
     ),
     built_in(
         "slabs-elastic",

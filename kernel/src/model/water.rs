@@ -13,11 +13,25 @@ pub struct PoreWater {
     pub density: f64,
     /// Bulk modulus of the water \[Pa\].
     pub bulk: f64,
-    /// Hydraulic conductivity per axis \[m/s\].
+    /// Hydraulic conductivity per axis at the start \[m/s\].
     pub conductivity: Vector,
+    /// Law by which it follows the volume of the skeleton.
+    pub permeability: Permeability,
     /// Gravity for which the conductivity was measured \[m/s²\]: the permeability over the viscosity is conductivity over
     /// density and this gravity, whatever gravity acts.
     pub conductivity_gravity: f64,
+}
+
+/// Law by which the conductivity of a skeleton follows its volume, J times that of the start.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Permeability {
+    /// It stays as it was.
+    #[default]
+    Constant,
+    /// It is k J² (Xie and Leo 2004).
+    Square,
+    /// It is k J² (n/`n_0`)³, which is in proportion to n³/(1-n)² (Kozeny 1927; Carman 1937).
+    KozenyCarman,
 }
 
 /// Least and largest porosity of a particle.
@@ -37,13 +51,12 @@ impl PoreWater {
         1.0 - mass / (self.grain_density * volume)
     }
 
-    /// Drag on water that flows along an axis through a skeleton of a porosity n, per volume and velocity between both
-    /// \[N s/m⁴\]: n² `rho_w` g / k.
+    /// Drag along the first axis on water in soil that is nothing but pores, with the conductivity of the start, per volume and
+    /// velocity between water and skeleton \[N s/m⁴\]: `rho_w` g / k. Soil of a porosity n has n² of it, over what the law of
+    /// permeability makes of k.
     #[must_use]
-    #[inline]
-    pub(crate) fn drag(&self, porosity: f64, axis: usize) -> f64 {
-        let by_gravity = self.density * self.conductivity_gravity / self.conductivity[axis];
-        porosity * porosity * by_gravity
+    pub(crate) fn drag_scale(&self) -> f64 {
+        self.density * self.conductivity_gravity / self.conductivity[0]
     }
 
     /// Drag along each axis over that along the first.

@@ -11,7 +11,6 @@ use crate::simulation::values::BodyRun;
 use crate::stage::g2p::Affine;
 use crate::stage::p2g::{self, Carry, P2g, P2gFn};
 use crate::stage::solve::Planes;
-use crate::stage::water::{self, WaterP2g};
 use crate::weights::{
     Family, axis_weights_at, base_node, mean_of_hat, reached, round_off_weight, spline_touching,
 };
@@ -28,6 +27,7 @@ pub(super) fn particle_to_grid<'a>(
     let family = plan.family;
     let nodes = family.stage_nodes(stencil);
     let carries_force = matches!(carry, Carry::All | Carry::Force);
+    let has_water = bodies.iter().any(|body| body.water.is_some());
     let instance = |carry| P2gInstance {
         carry,
         call: p2g::instance(
@@ -38,6 +38,11 @@ pub(super) fn particle_to_grid<'a>(
             carry,
         ),
         leaves_parts: p2g::leaves_parts(plan.axes, plan.full_mapping, carry),
+    };
+    let instance_of_water = |carry| P2gInstance {
+        carry,
+        call: p2g::water_instance(plan.axes, stencil, carry),
+        leaves_parts: p2g::leaves_parts(plan.axes, false, carry),
     };
     ParticleToGrid {
         sets,
@@ -52,6 +57,10 @@ pub(super) fn particle_to_grid<'a>(
         has_hoop: plan.axisymmetric && !plan.full_mapping && carry == Carry::All,
         free: instance(carry),
         driven: instance(Carry::Momentum),
+        water: has_water.then(|| instance_of_water(carry)),
+        mean_pressure: (has_water && plan.cell_average && carries_force).then(|| {
+            [false, true].map(|averaged| instance_of_water(Carry::MeanStress { averaged }))
+        }),
         gradient: instance(Carry::MassGradient),
         mean_stress: (plan.cell_average && carries_force)
             .then(|| [false, true].map(|averaged| instance(Carry::MeanStress { averaged }))),
@@ -90,6 +99,10 @@ pub(super) struct ParticleToGrid<'a> {
     free: P2gInstance,
     /// Mapping of bodies with a field of their own whose motion is prescribed: their mass alone counts.
     driven: P2gInstance,
+    /// Mapping of the water in their pores.
+    water: Option<P2gInstance>,
+    /// Correction of the force by their mean pressure, where it is a mean over cells.
+    mean_pressure: Option<[P2gInstance; 2]>,
     /// Mapping of the mass gradient of some particles.
     gradient: P2gInstance,
     /// Correction of the force by the mean stress of bodies that move freely, where their strain is a mean over cells.
@@ -151,39 +164,49 @@ impl ParticleToGrid<'_> {
 
     /// Maps the water of all bodies.
     fn map_water(&self, planes: &mut Planes<'_>) {
-        let layers = self.layers_onto(planes);
-        for (set, body) in self.sets.iter().zip(self.bodies) {
-            if let Some(water) = &body.water {
-                let from = WaterP2g {
-                    set,
-                    mapping: &body.mapping,
-                    water,
-                    stencil: self.stencil,
-                    layers: layers.start..layers.end.min(set.layers.len() - 1),
-                    carry: self.free.carry,
-                };
-                water::map(&from, planes);
+        let Some(instance) = self.water else { return };
+        for index in 0..self.bodies.len() {
+            if self.bodies[index].water.is_none() {
+                continue;
+            }
+            for instance in self.mean_pressure.iter().flatten().chain([&instance]) {
+                let mut layers = self.layers_of(index, planes);
+                self.map_runs(index, &mut layers, planes, *instance);
             }
         }
+        if instance.leaves_parts {
+            planes.join_with_drag();
+        }
+    }
+
+    /// Particles of each layer of a body that reaches planes, and whether the planes have the layer.
+    fn layers_of<'s>(
+        &'s self,
+        index: usize,
+        planes: &Planes<'_>,
+    ) -> impl Iterator<Item = (Range<usize>, bool)> + use<'s> {
+        let set = &self.sets[index];
+        let (onto, owned) = (self.layers_onto(planes), planes.range.clone());
+        let layers = onto.start..onto.end.min(set.layers.len() - 1);
+        layers
+            .map(move |layer| (set.in_layers(layer..layer + 1), owned.contains(&layer)))
+            .filter(|(particles, _)| !particles.is_empty())
     }
 
     /// Maps one body.
     fn map(&self, index: usize, planes: &mut Planes<'_>) -> usize {
-        let set = &self.sets[index];
-        let (onto, owned) = (self.layers_onto(planes), planes.range.clone());
-        let layers = || {
-            let layers = onto.start..onto.end.min(set.layers.len() - 1);
-            layers
-                .map(|layer| (set.in_layers(layer..layer + 1), owned.contains(&layer)))
-                .filter(|(particles, _)| !particles.is_empty())
-        };
         if self.bodies[index].motion.is_some() {
-            return self.map_runs(index, &mut layers(), planes, self.driven);
+            return self.map_runs(
+                index,
+                &mut self.layers_of(index, planes),
+                planes,
+                self.driven,
+            );
         }
         for carrier in self.mean_stress.iter().flatten() {
-            self.map_runs(index, &mut layers(), planes, *carrier);
+            self.map_runs(index, &mut self.layers_of(index, planes), planes, *carrier);
         }
-        self.map_runs(index, &mut layers(), planes, self.free)
+        self.map_runs(index, &mut self.layers_of(index, planes), planes, self.free)
     }
 
     /// Maps the mass gradient of some particles of one body.
@@ -235,6 +258,7 @@ impl ParticleToGrid<'_> {
                 nodes: planes.nodes,
                 carry,
                 viscous_rate: body.viscous_rate,
+                water: body.water.as_ref(),
             },
         )
     }

@@ -3,7 +3,6 @@
 use super::Cycle;
 use super::interactions::Interaction;
 use super::phase::{Phase, PhaseObserver, PhaseTimer};
-use super::water::WaterTask;
 use crate::laws::tensor::Configuration;
 use crate::layout::Layout;
 use crate::model::StressScheme;
@@ -92,23 +91,14 @@ impl Cycle {
         self.move_absorbing(&drift)?;
         match self.model.plan.scheme {
             StressScheme::Usl => {
-                self.gather_water(WaterTask {
-                    kick: true,
-                    compress: Some((drift.time, 1)),
-                })?;
+                self.gather_water(true, Some((drift.time, 1)))?;
                 self.g2p(Pass::All, &drift)?;
             }
             StressScheme::Musl => {
-                self.gather_water(WaterTask {
-                    kick: true,
-                    compress: None,
-                })?;
+                self.gather_water(true, None)?;
                 self.g2p(Pass::Kick, &drift)?;
                 self.remap(&mut conditions, Remap::OldPositions)?;
-                self.gather_water(WaterTask {
-                    kick: false,
-                    compress: Some((drift.time, 4)),
-                })?;
+                self.gather_water(false, Some((drift.time, 4)))?;
                 self.g2p(Pass::MoveAndStrain, &drift)?;
             }
             StressScheme::Usf => {

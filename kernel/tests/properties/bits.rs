@@ -1,15 +1,15 @@
 //! Equal bits: whatever the number of threads, the lanes, and the order in which particles are given.
 
 use crate::common::{
-    DIMENSIONS, NEVER, SCHEMES, WEIGHTINGS, block, body, cuboid, elastic, empty, lanes,
+    DIMENSIONS, FLIP, NEVER, SCHEMES, WEIGHTINGS, block, body, cuboid, elastic, empty, lanes,
     light_nodes_act, material, noise, options, particles, rough, rough_drift, transfers_of,
 };
 use proctor_kernel::lanes::LaneChoice;
 use proctor_laws::NeoHookean;
 use proctor_scene::simulation::{InitialField, Options, Simulation};
 use proctor_scene::{
-    BoxLoad, Contact, ContactNormal, Damping, Dimension, ParticleSeed, PlaneCondition, Scene,
-    Shape, StressScheme, Transfer, Weighting,
+    BoxLoad, Contact, ContactNormal, Damping, Dimension, ParticleSeed, Permeability,
+    PlaneCondition, PoreWater, Scene, Shape, StressScheme, Transfer, VolumetricStrain, Weighting,
 };
 use std::sync::Arc;
 
@@ -109,6 +109,43 @@ fn threads_and_lanes_change_no_bit() {
                             "{threads} {choice:?} {scene:?}"
                         );
                     }
+                }
+            }
+        }
+    }
+}
+
+/// The same with water in the pores, whose stages are of their own.
+#[test]
+fn threads_and_lanes_change_no_bit_of_water() {
+    let lanes = lanes();
+    for (index, dimension) in DIMENSIONS.into_iter().enumerate() {
+        for scheme in [StressScheme::Usl, StressScheme::Musl] {
+            for average in [VolumetricStrain::Particle, VolumetricStrain::CellAverage] {
+                let mut scene = strip(dimension, Weighting::UniformGimp, scheme, FLIP);
+                scene.volumetric_strain = average;
+                scene.water_planes = scene.mesh.planes;
+                // As soft as the skeleton, so that particles cross cells.
+                let water = |density: f64| PoreWater {
+                    porosity: 0.6,
+                    grain_density: density,
+                    density,
+                    bulk: 500.0,
+                    conductivity: [0.1, 0.2, 0.3],
+                    permeability: Permeability::KozenyCarman,
+                    conductivity_gravity: 10.0,
+                };
+                let waters = scene.materials.iter().map(|m| Some(water(m.density)));
+                scene.pore_water = waters.collect();
+                scene.transfer.pic_fraction = 0.01;
+                let expected = hash(&scene, 1, LaneChoice::Auto);
+                for &choice in &lanes {
+                    assert_eq!(hash(&scene, 1, choice), expected, "{choice:?} {scene:?}");
+                }
+                for threads in [2, 3, 5] {
+                    let choice = lanes[(index + threads) % lanes.len()];
+                    let found = hash(&scene, threads, choice);
+                    assert_eq!(found, expected, "{threads} {choice:?} {scene:?}");
                 }
             }
         }

@@ -3,7 +3,9 @@
 use super::series::Column;
 use crate::common::{FLIP, body, cuboid, elastic, empty, material, simulation};
 use proctor_scene::simulation::Simulation;
-use proctor_scene::{Dimension, History, PoreWater, Scene, StressScheme, TimeStep, Traction};
+use proctor_scene::{
+    Dimension, History, Permeability, PoreWater, Scene, StressScheme, TimeStep, Traction,
+};
 
 /// Gravity of the conductivity \[m/s²\].
 pub const GRAVITY: f64 = 10.0;
@@ -36,6 +38,7 @@ pub fn water(porosity: f64, k: f64) -> PoreWater {
         density: 1000.0,
         bulk: 2e8,
         conductivity: [k; 3],
+        permeability: Permeability::Constant,
         conductivity_gravity: GRAVITY,
     }
 }

@@ -11,6 +11,9 @@
 use super::prelude::*;
 
 const MODES: usize = 500; // All digits that are compared
+/// Share of the step of the others at k = 1e-2, where most of the drag is in the step: its error, of first order and against
+/// that of the mesh, is 15 % of it at 32 cells and 25 % at 48 with a whole one, which looks like an order of 2.2.
+const EASY: f64 = 0.25;
 const PRESSURE: &str = "max(p)";
 const EFFECTIVE: &str = "max(effective stress)";
 const TOP: &str = "settlement of the top";
@@ -34,7 +37,10 @@ pub static COLUMN_MODAL: Case = Case::new(
     "Does a column of soil and water follow the exact series with the inertia of both, at every conductivity?",
 )
 .ladder(Ladder::made(rungs))
-.method(|_| Settings::new(Method::DEFAULT).courant(WET_COURANT))
+.method(|rung| {
+    let share = if *rung.problem::<usize>() == 0 { EASY } else { 1.0 };
+    Settings::new(Method::DEFAULT).courant(share * WET_COURANT)
+})
 .scene(scene)
 .displacements()
 .compare(compare)

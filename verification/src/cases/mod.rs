@@ -63,6 +63,7 @@ mod thick_cylinder;
 mod thick_sphere;
 mod tilted_incline;
 mod triaxial;
+mod undrained_patch;
 mod vocabulary;
 mod vortex;
 mod yielding_column;
@@ -158,6 +159,7 @@ list! {
     column_terzaghi::[COLUMN_TERZAGHI],
     hydrostatic_jump::[HYDROSTATIC_JUMP],
     seepage::[SEEPAGE],
+    undrained_patch::[UNDRAINED_PATCH],
     breathing::[BREATHING],
     revolved::[REVOLVED],
     thick_sphere::[THICK_SPHERE],

@@ -47,5 +47,6 @@ pub mod turned;
 pub mod two_phase_column;
 pub mod two_slopes;
 pub mod vortex;
+pub mod wavy_layer;
 pub mod yielding_column;
 pub mod yielding_wall;

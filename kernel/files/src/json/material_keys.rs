@@ -10,14 +10,16 @@ use serde::de::{Deserializer, Error, MapAccess, Visitor};
 use serde_json::{Value, json};
 
 use super::lists::Comment;
+use super::words::PERMEABILITIES;
 
 /// The keys of the water in the pores of a material.
-const OF_WATER: [&str; 5] = [
+const OF_WATER: [&str; 6] = [
     "porosity",
     "density_fluid",
     "bulk_fluid",
     "hydraulic_conductivity",
     "conductivity_gravity",
+    "permeability",
 ];
 
 /// A material as written: flat, all keys optional, nothing checked but types.
@@ -39,6 +41,8 @@ pub(super) struct RawMaterial {
     pub hydraulic_conductivity: Option<Vec<f64>>,
     /// Gravity of the conductivity [m/s²].
     pub conductivity_gravity: Option<f64>,
+    /// Law of the conductivity.
+    pub permeability: Option<String>,
     numbers: Vec<(&'static str, Option<f64>)>,
     words: Vec<(&'static str, Option<String>)>,
     curves: Vec<(&'static str, Option<Rows>)>,
@@ -167,6 +171,7 @@ impl<'de> Visitor<'de> for Keys {
                 "bulk_fluid" => material.bulk_fluid = map.next_value()?,
                 "hydraulic_conductivity" => material.hydraulic_conductivity = map.next_value()?,
                 "conductivity_gravity" => material.conductivity_gravity = map.next_value()?,
+                "permeability" => material.permeability = map.next_value()?,
                 "comment" => {
                     map.next_value::<Option<Comment>>()?;
                 }
@@ -289,6 +294,20 @@ impl JsonSchema for RawMaterial {
                 gravity.insert("default".to_owned(), 9.81.into());
             }
             properties.insert("conductivity_gravity".to_owned(), gravity);
+            let words: Vec<&str> = PERMEABILITIES.iter().map(|(word, _)| *word).collect();
+            properties.insert(
+                "permeability".to_owned(),
+                json!({
+                    "description": "Law by which the conductivity follows the skeleton, whose volume is J times that of the \
+                        start and whose porosity is n. `constant`: it stays. `square`: times J². `kozeny_carman`: times J² n³ over that \
+                        of the start, in proportion to n³/(1-n)².",
+                    "type": ["string", "null"],
+                    "enum": words,
+                    "default": "constant",
+                    "x-needs": "`n_phases` 2",
+                    "examples": ["kozeny_carman"],
+                }),
+            );
             for constant in constants() {
                 properties.insert(constant.key.to_owned(), of_constant(constant));
             }

@@ -4,7 +4,7 @@ use super::build::Build;
 use super::keys::{RawScene, RawWaterPlanes, RawWaterPressures};
 use super::material_keys::RawMaterial;
 use super::materials::entry_path;
-use super::words::WATER_CONDITIONS;
+use super::words::{PERMEABILITIES, WATER_CONDITIONS};
 use proctor_scene::{InitialPressure, PlaneCondition, PoreWater, Scene};
 
 /// Gravity for which conductivities are given \[m/s²\].
@@ -162,6 +162,8 @@ impl Build<'_> {
         let key = |key: &str| format!("{path}.{key}");
         let accepted = "a number greater than 0 and less than 1";
         let conductivity = raw.hydraulic_conductivity.as_ref();
+        let law = raw.permeability.as_ref();
+        let law = law.and_then(|word| self.word(&key("permeability"), word, PERMEABILITIES));
         PoreWater {
             porosity: self.number(&key("porosity"), raw.porosity, accepted),
             // That of the material.
@@ -181,6 +183,7 @@ impl Build<'_> {
                 conductivity,
                 "the hydraulic conductivity [m/s]",
             ),
+            permeability: law.unwrap_or_default(),
             conductivity_gravity: raw.conductivity_gravity.unwrap_or(GRAVITY),
         }
     }
@@ -202,6 +205,7 @@ impl Build<'_> {
                     raw.hydraulic_conductivity.is_some(),
                 ),
                 ("conductivity_gravity", raw.conductivity_gravity.is_some()),
+                ("permeability", raw.permeability.is_some()),
             ] {
                 if is {
                     paths.push(format!("{path}.{key}"));

@@ -4,8 +4,8 @@ use proctor_contact::geometry::mortar::motion::FollowMode;
 use proctor_contact::geometry::mortar::points::Detection;
 use proctor_kernel::{transfers, weighting};
 use proctor_scene::{
-    ContactNormal, Dimension, Enforcement, Field, NodalField, OnImbalance, Outside, PlaneCondition,
-    StressScheme, TransferKind, VolumetricStrain, Weighting,
+    ContactNormal, Dimension, Enforcement, Field, NodalField, OnImbalance, Outside, Permeability,
+    PlaneCondition, StressScheme, TransferKind, VolumetricStrain, Weighting,
 };
 
 /// A word and what it means.
@@ -64,6 +64,13 @@ pub(super) const WATER_CONDITIONS: Words<PlaneCondition> = &[
     ("free", PlaneCondition::Free),
     ("sliding", PlaneCondition::Sliding),
     ("fixed", PlaneCondition::Fixed),
+];
+
+/// Laws of the conductivity of a skeleton.
+pub(super) const PERMEABILITIES: Words<Permeability> = &[
+    ("constant", Permeability::Constant),
+    ("square", Permeability::Square),
+    ("kozeny_carman", Permeability::KozenyCarman),
 ];
 
 /// Kinds of damping.

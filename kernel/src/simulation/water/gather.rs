@@ -1,81 +1,78 @@
 //! Nodes to the pore water of particles: its velocity and the pressure.
 
-use super::nodes::flux;
-use crate::grid::{GridShape, Line};
+use super::nodes::hand_over;
 use crate::layout::Layout;
-use crate::model::{POROSITIES, PoreWater};
+use crate::model::POROSITIES;
 use crate::particles::ParticleSet;
 use crate::simulation::Cycle;
 use crate::simulation::fields::shares;
 use crate::simulation::values::{StepError, StepErrorKind};
-use crate::stage::Mapping;
-use crate::stage::water::PointNodes;
-
-/// A pass over the water of particles.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::simulation) struct WaterTask {
-    /// Add the velocity increments.
-    pub(in crate::simulation) kick: bool,
-    /// Time over which the pressure changes \[s\], and the lane of a node where the velocities begin that change it.
-    pub(in crate::simulation) compress: Option<(f64, usize)>,
-}
-
-/// Nodes of skeleton and water that particles gather from.
-struct Nodes<'a> {
-    skeleton: &'a [Line],
-    water: &'a [Line],
-    shape: &'a GridShape,
-    stencil: usize,
-}
+use crate::stage::g2p::{WaterG2p, WaterTask};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 impl Cycle {
-    /// Gathers the velocity of the water of all bodies, where there is any. Positions are those of the mapping still.
+    /// Gathers the velocity of the water of all bodies, where there is any: it gets its increments, and the pressure changes over a
+    /// time \[s\] by mean velocities that begin at a lane of the nodes. Positions are those of the mapping still.
     ///
-    /// w += sum S dw, p -= (`K_w`/n) dt sum grad S . (v + n (w - v)).
+    /// With the share f of PIC, w = (1 - f) w + sum S ((1 - f) dw + f w), p -= (`K_w`/n) dt sum grad S . (v + n (w - v)).
     ///
     /// # Errors
     /// A particle whose porosity is outside [`POROSITIES`].
-    pub(in crate::simulation) fn gather_water(&mut self, task: WaterTask) -> Result<(), StepError> {
-        if !self.work.grid.has_water {
+    pub(in crate::simulation) fn gather_water(
+        &mut self,
+        kicks: bool,
+        compress: Option<(f64, usize)>,
+    ) -> Result<(), StepError> {
+        let grid = &mut self.work.grid;
+        if !grid.has_water {
             return Ok(());
         }
-        let grid = &self.work.grid;
-        let Some(water) = grid.fields.last() else {
+        let pic = self.model.settings.transfer.pic_fraction;
+        let share = if kicks { pic } else { 0.0 };
+        let lane = compress.map(|(_, lane)| lane);
+        grid.visit(|mut slab| hand_over(&mut slab, share, lane));
+        let task = WaterTask {
+            kick: kicks.then_some(1.0 - pic),
+            compress,
+            averaged: self.model.plan.cell_average,
+        };
+        let Some(field) = grid.fields.last() else {
             return Ok(());
         };
-        let nodes = Nodes {
-            skeleton: grid.fields[0].nodes.lines(),
-            water: water.nodes.lines(),
-            shape: &grid.shape,
-            stencil: self.state.stencil,
-        };
+        let nodes = field.nodes.lines();
         let particles = self.state.sets.iter().map(ParticleSet::len).sum();
         let most = grid.share_of_particles(particles);
-        let pic = self.model.settings.transfer.pic_fraction;
         let bodies = &self.model.bodies;
         let wet = (self.state.sets.iter_mut().zip(bodies))
-            .filter_map(|(set, body)| Some((set, body, body.water?)));
+            .filter_map(|(set, body)| Some((set, body, body.water.as_ref()?)));
         let parts = wet.flat_map(|(set, body, water)| {
             let (ranges, layout) = (shares(set.len(), most), set.layout);
             (set.parts_mut(ranges)).map(move |(_, columns)| (body, water, layout, columns))
         });
+        let (lanes, axes, stencil) = (self.model.lanes, self.model.plan.axes, self.state.stencil);
+        let all_sound = AtomicBool::new(true);
         grid.team.each(parts, |(body, water, layout, mut columns)| {
-            gather(
-                &mut columns,
-                &layout,
-                (&body.mapping, &water),
-                &nodes,
+            let call = WaterG2p {
+                columns: &mut columns,
+                layout: &layout,
+                mapping: &body.mapping,
+                water,
+                nodes,
                 task,
-                pic,
-            );
+            };
+            if !call.run(lanes, axes, stencil) {
+                all_sound.store(false, Ordering::Relaxed);
+            }
         });
-        if task.compress.is_some() {
-            self.watch_porosity()?;
+        if all_sound.into_inner() {
+            Ok(())
+        } else {
+            self.watch_porosity()
         }
-        Ok(())
     }
 
     /// The first particle whose porosity no soil has.
+    #[cold]
     fn watch_porosity(&self) -> Result<(), StepError> {
         for (index, (set, body)) in self.state.sets.iter().zip(&self.model.bodies).enumerate() {
             let Some(water) = &body.water else { continue };
@@ -93,51 +90,5 @@ impl Cycle {
             }
         }
         Ok(())
-    }
-}
-
-fn gather(
-    columns: &mut [&mut [f64]],
-    layout: &Layout,
-    (mapping, water): (&Mapping, &PoreWater),
-    nodes: &Nodes<'_>,
-    task: WaterTask,
-    pic: f64,
-) {
-    let Some(first) = layout.water else { return };
-    let axes = layout.axes;
-    for p in 0..columns[0].len() {
-        let point = PointNodes::of(columns, mapping, (nodes.shape, nodes.stencil), p);
-        let [a, b, c] = point.base;
-        let (mut velocity, mut increment, mut divergence) = ([0.0; 3], [0.0; 3], 0.0);
-        for i in 0..point.count[0] {
-            for j in 0..point.count[1] {
-                let row = nodes.shape.index([a + i, b + j, c]);
-                for k in 0..point.count[2] {
-                    let (weight, gradient) = point.at([i, j, k]);
-                    let flow = &nodes.water[row + k];
-                    if task.kick {
-                        for axis in 0..axes {
-                            velocity[axis] += weight * flow[1 + axis];
-                            increment[axis] += weight * flow[4 + axis];
-                        }
-                    }
-                    if let Some((_, lane)) = task.compress {
-                        divergence += flux(&nodes.skeleton[row + k], flow, lane, &gradient);
-                    }
-                }
-            }
-        }
-        if task.kick {
-            for axis in 0..axes {
-                let w = &mut columns[first + axis][p];
-                let flip = *w + increment[axis];
-                *w = flip + pic * (velocity[axis] - flip);
-            }
-        }
-        if let Some((dt, _)) = task.compress {
-            let porosity = water.porosity_of(columns[Layout::MASS][p], columns[Layout::VOLUME][p]);
-            columns[first + axes][p] -= water.bulk / porosity * dt * divergence;
-        }
     }
 }

@@ -15,5 +15,4 @@ mod gather;
 mod measure;
 mod nodes;
 
-pub(super) use gather::WaterTask;
 pub(super) use nodes::{drag, share_beyond, split};

@@ -1,13 +1,13 @@
 //! Pore water at the nodes: the pressure shared out between water and skeleton, and the drag between both.
 
-use crate::grid::Line;
-use crate::model::{PoreWater, Vector};
+use crate::grid::{GHOSTS_BELOW, GridShape, Line};
+use crate::model::PoreWater;
 use crate::simulation::context::StepContext;
 use crate::simulation::fields::{Owner, Slab};
 use crate::stage::solve::{PlaneSums, Wall, is_ghost};
 
 /// Lane of a node of the water that holds the drag before the equation of motion, and the porosity after it.
-pub(super) const SPARE: usize = 7;
+const SPARE: usize = 7;
 
 /// Shares out the force of the pressure by the porosity of the node: n of it moves the water, the rest the skeleton.
 pub(in crate::simulation) fn split(slab: &mut Slab<'_>, context: &StepContext<'_>) {
@@ -54,48 +54,61 @@ pub(in crate::simulation) fn drag(
     for_both(slab, |at, skeleton, flow| {
         let b = flow[SPARE];
         flow[SPARE] = porosity(&water, skeleton, flow);
-        let counts = !walls.iter().any(|walls| is_ghost(shape, walls, at));
+        let of_node = [1.0 / skeleton[0], 1.0 / flow[0]];
+        // Hardly a node lies in a plane of the mesh or beyond it.
+        let inside = is_inside(shape, at);
         let mut taken = 0.0;
         for axis in 0..shape.axes {
-            let b = b * ratios[axis];
-            let inverse = |walls: &[Wall], mass: f64| {
-                if walls.iter().any(|wall| {
-                    wall.prescribes(axis) && at[shape.direction(wall.axis)] == wall.layers(shape).1
-                }) {
-                    0.0
-                } else {
-                    1.0 / mass
+            let mut inverse = of_node;
+            for phase in 0..2 {
+                if !inside && is_prescribed(shape, walls[phase], at, axis) {
+                    inverse[phase] = 0.0;
                 }
-            };
-            let [of_skeleton, of_water] =
-                [inverse(walls[0], skeleton[0]), inverse(walls[1], flow[0])];
+            }
+            let b = b * ratios[axis];
             let before =
                 (flow[1 + axis] - flow[4 + axis]) - (skeleton[1 + axis] - skeleton[4 + axis]);
             let trial = flow[1 + axis] - skeleton[1 + axis];
-            let after = trial / (1.0 + kick * b * (of_skeleton + of_water));
+            let after = trial / (1.0 + kick * b * (inverse[0] + inverse[1]));
             let impulse = kick * b * after;
             for (line, change) in [
-                (&mut *skeleton, impulse * of_skeleton),
-                (&mut *flow, -(impulse * of_water)),
+                (&mut *skeleton, impulse * inverse[0]),
+                (&mut *flow, -(impulse * inverse[1])),
             ] {
                 line[1 + axis] += change;
                 line[4 + axis] += change;
             }
             taken += impulse * (0.5 * (before + after));
         }
-        if counts {
-            let sums = &mut sums[at[0] - first];
-            sums.drag += taken;
-            let weight = |axis: usize| gravity[axis] * flow[1 + axis];
-            sums.power += flow[0] * (0..shape.axes).map(weight).sum::<f64>();
-            for plane in pressed {
-                if let Some(force) = plane.force(shape, at, volume(&water, skeleton, flow)) {
-                    let seeping = flow[1 + plane.axis] - skeleton[1 + plane.axis];
-                    sums.power += flow[SPARE] * force * seeping;
-                }
+        if !inside && walls.iter().any(|walls| is_ghost(shape, walls, at)) {
+            return;
+        }
+        let sums = &mut sums[at[0] - first];
+        sums.drag += taken;
+        let weight = |axis: usize| gravity[axis] * flow[1 + axis];
+        sums.power += flow[0] * (0..shape.axes).map(weight).sum::<f64>();
+        for plane in pressed {
+            if let Some(force) = plane.force(shape, at, volume(&water, skeleton, flow)) {
+                let seeping = flow[1 + plane.axis] - skeleton[1 + plane.axis];
+                sums.power += flow[SPARE] * force * seeping;
             }
         }
     });
+}
+
+/// True for a node that lies neither in a plane of the mesh nor beyond it.
+fn is_inside(shape: &GridShape, at: [usize; 3]) -> bool {
+    (0..shape.axes).all(|axis| {
+        let layer = at[shape.direction(axis)];
+        layer > GHOSTS_BELOW && layer < GHOSTS_BELOW + shape.cells[axis]
+    })
+}
+
+/// True where a wall prescribes the velocity of a node along an axis.
+fn is_prescribed(shape: &GridShape, walls: &[Wall], at: [usize; 3], axis: usize) -> bool {
+    walls
+        .iter()
+        .any(|wall| wall.prescribes(axis) && at[shape.direction(wall.axis)] == wall.layers(shape).1)
 }
 
 /// Gives nodes beyond planes that hold the water the porosity of the nodes that they mirror.
@@ -124,6 +137,26 @@ fn each_pair_of_walls(slab: &mut Slab<'_>, context: &StepContext<'_>, outwards: 
                 }
             });
     }
+}
+
+/// Fills the lanes that particles gather from: the upper ones with a share of the velocity and the rest of its increment, where the share is not
+/// zero; to the three lanes from `lane` on the mean velocity (1-n) v + n w of the velocities there.
+pub(super) fn hand_over(slab: &mut Slab<'_>, share: f64, lane: Option<usize>) {
+    for_both(slab, |_, skeleton, flow| {
+        if share != 0.0 {
+            for axis in 0..3 {
+                let increment = flow[4 + axis];
+                flow[4 + axis] = increment + share * (flow[1 + axis] - increment);
+            }
+        }
+        if let Some(lane) = lane {
+            let n = flow[SPARE];
+            for axis in 0..3 {
+                let v = skeleton[lane + axis];
+                flow[lane + axis] = v + n * (flow[lane + axis] - v);
+            }
+        }
+    });
 }
 
 /// Volume of water and grains around a node \[m³\].
@@ -170,16 +203,4 @@ fn for_both(slab: &mut Slab<'_>, mut act: impl FnMut([usize; 3], &mut Line, &mut
             }
         }
     }
-}
-
-/// Divergence \[1/s\] of the mean velocity (1-n) v + n w of a node with this gradient of its weight, whose velocities begin at
-/// `lane`.
-pub(super) fn flux(skeleton: &Line, flow: &Line, lane: usize, gradient: &Vector) -> f64 {
-    let n = flow[SPARE];
-    let mut sum = 0.0;
-    for axis in 0..3 {
-        let v = skeleton[lane + axis];
-        sum += gradient[axis] * (v + n * (flow[lane + axis] - v));
-    }
-    sum
 }

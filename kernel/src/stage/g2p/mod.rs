@@ -12,8 +12,9 @@ mod reach;
 mod three_nodes;
 mod update;
 mod values;
+mod water;
 
-use super::{Mapping, block_at, whole_from};
+use super::{Mapping, block_at};
 use crate::grid::Line;
 use crate::lanes::{Backend, Kernel, Lanes, Quad, Selected};
 use crate::laws::tensor::Configuration;
@@ -27,6 +28,7 @@ use std::ops::Range;
 use three_nodes::FactorsOfGroup;
 use update::{Maxima, fault, update};
 use values::InterpolatedValues;
+pub(crate) use water::{WaterG2p, WaterTask};
 
 /// Use of the interpolated values in a pass.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -307,13 +309,7 @@ fn gather<
 ) -> usize {
     let (columns, mapping, nodes) = (&*call.columns, call.mapping, call.nodes);
     let block = block_at::<L, _, D, N>(columns, mapping, at, end);
-    let mut bases = Bases::of::<D>(&block, mapping);
-    if bases.number > 1 {
-        let first = bases.of_first();
-        if first > 0 && whole_from::<L, _, D, N>(columns, mapping, at + first, end) {
-            (bases.count, bases.number) = (first, 1);
-        }
-    }
+    let bases = Bases::ahead::<_, D, N>(&block, columns, mapping, at, end);
     let count = bases.count;
     macro_rules! interpolate {
         ($nodes:tt, $bases:tt, $on_nodes:tt, $from:expr) => {

@@ -7,7 +7,7 @@
 
 use crate::grid::Line;
 use crate::lanes::Lanes;
-use crate::stage::{Block, Mapping, index_of};
+use crate::stage::{Block, Mapping, index_of, whole_from};
 
 /// Most base nodes of a block. One that has more ends before the particle that brings the next.
 pub(super) const MOST: usize = 3;
@@ -58,9 +58,28 @@ impl<L: Lanes> Bases<L> {
         bases
     }
 
+    /// Those of the block at particle `at` of particles up to `end`, which ends where whole blocks begin.
+    #[inline(always)]
+    pub(super) fn ahead<C: AsRef<[f64]>, const D: usize, const N: usize>(
+        block: &Block<L>,
+        columns: &[C],
+        mapping: &Mapping,
+        at: usize,
+        end: usize,
+    ) -> Self {
+        let mut bases = Self::of::<D>(block, mapping);
+        if bases.number > 1 {
+            let first = bases.of_first();
+            if first > 0 && whole_from::<L, _, D, N>(columns, mapping, at + first, end) {
+                (bases.count, bases.number) = (first, 1);
+            }
+        }
+        bases
+    }
+
     /// Particles at the beginning of the block that have the first one.
     #[inline(always)]
-    pub(super) fn of_first(&self) -> usize {
+    fn of_first(&self) -> usize {
         L::bits(self.of[0]).trailing_ones() as usize
     }
 

@@ -12,16 +12,20 @@ mod add;
 mod products;
 mod runs;
 mod scratch;
+mod source;
+mod water;
 
 use super::{Block, Mapping, block_at};
 use crate::grid::Line;
 use crate::lanes::{Backend, Kernel, Selected};
 use crate::layout::Layout;
+use crate::model::PoreWater;
 use crate::weights::Family;
 use add::{RunRows, add_run};
 use products::{Products, add_linear, add_products};
 use runs::{GroupCount, Runs};
-use scratch::{P2gSource, Scratch};
+use scratch::Scratch;
+use source::P2gSource;
 use std::ops::Range;
 
 /// Quantities that are carried to the nodes.
@@ -63,6 +67,8 @@ pub struct P2g<'a> {
     pub carry: Carry,
     /// Rate of viscous damping, f = -rate m v \[1/s\] (Liang et al. 2024, eq. 20); 0 for none.
     pub viscous_rate: f64,
+    /// The water in the pores, for an [instance of water](water_instance).
+    pub water: Option<&'a PoreWater>,
 }
 
 /// An instance carries nothing beyond mass, momentum and force.
@@ -75,6 +81,10 @@ const MEAN_STRESS: u8 = 2;
 const AXISYMMETRIC: u8 = 3;
 /// It carries the gradient of mass over radius instead of them.
 const RING_GRADIENT: u8 = 4;
+/// It carries those of the pore water instead of those of the skeleton, and its drag.
+const WATER: u8 = 5;
+/// It carries the force of the mean pressure of the pore water instead of them.
+const MEAN_PRESSURE: u8 = 6;
 
 /// Form of the sums over the nodes.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -122,6 +132,23 @@ pub fn instance(axes: usize, radial: bool, nodes: usize, full: bool, carry: Carr
         (Carry::Momentum | Carry::Remap, _, _) if full => with_gradient::<3, NOTHING>(nodes, full),
         (Carry::Momentum | Carry::Remap, 2, _) => by_nodes::<2, false, false, NOTHING>(nodes),
         (Carry::Momentum | Carry::Remap, _, _) => by_nodes::<3, false, false, NOTHING>(nodes),
+    }
+}
+
+/// The same for the pore water: mass, momentum, force of the pressure sum V p grad S and the drag along the first axis sum V D S
+/// ([`join_with_drag`], in space in lane 7); with [`Carry::Remap`] momentum to the upper lanes, with [`Carry::MeanStress`] what
+/// means over cells change of the force.
+#[must_use]
+pub(crate) fn water_instance(axes: usize, stencil: usize, carry: Carry) -> P2gFn {
+    match (carry, axes, stencil) {
+        (Carry::Remap, 2, 4) => entry::<2, 4, false, false, WATER>,
+        (Carry::Remap, 2, _) => entry::<2, 3, false, false, WATER>,
+        (Carry::Remap, _, 4) => entry::<3, 4, false, false, WATER>,
+        (Carry::Remap, _, _) => entry::<3, 3, false, false, WATER>,
+        (Carry::MeanStress { .. }, 2, _) => from_three::<2, MEAN_PRESSURE>(stencil),
+        (Carry::MeanStress { .. }, _, _) => from_three::<3, MEAN_PRESSURE>(stencil),
+        (_, 2, _) => from_three::<2, WATER>(stencil),
+        (_, _, _) => from_three::<3, WATER>(stencil),
     }
 }
 
@@ -188,7 +215,7 @@ impl<const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool, con
         let as_products = D == 3
             && N == 3
             && GRADIENT
-            && EXTRA == NOTHING
+            && (EXTRA == NOTHING || EXTRA == WATER)
             && call.carry == Carry::All
             && call.mapping.family != Family::Hat;
         let sums = match as_products {
@@ -202,6 +229,7 @@ impl<const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool, con
             mapping: call.mapping,
             carry: call.carry,
             viscous_rate: call.viscous_rate,
+            water: call.water,
             stress_factor: match sums {
                 SumForm::Linear => INVERSE_INERTIA,
                 SumForm::Rows | SumForm::Products => 1.0,
@@ -271,6 +299,14 @@ pub fn join_with_hoop(line: &mut Line) {
     line[3] = 0.0;
 }
 
+/// The same for the pore water, whose drag lies in the lane of the third component of momentum: it goes to lane 7.
+#[inline(always)]
+pub(crate) fn join_with_drag(line: &mut Line) {
+    join(line);
+    line[7] = line[3];
+    line[3] = 0.0;
+}
+
 /// True if a stage leaves a node in two parts, which [`join`] adds.
 #[must_use]
 pub(crate) fn leaves_parts(axes: usize, full: bool, carry: Carry) -> bool {
@@ -314,7 +350,8 @@ impl OwnedNodes<'_> {
             return;
         }
         // What has no instance is never asked for.
-        let sums = if D == 3 && N == 3 && !ON_NODES && GRADIENT && EXTRA == NOTHING {
+        let has_products = EXTRA == NOTHING || EXTRA == WATER;
+        let sums = if D == 3 && N == 3 && !ON_NODES && GRADIENT && has_products {
             from.sums
         } else {
             SumForm::Rows
@@ -330,7 +367,8 @@ impl OwnedNodes<'_> {
         } else {
             products.fill::<B::Line, FULL>(from, block, at, sums == SumForm::Linear);
         }
-        if EXTRA == MEAN_STRESS && from.carry == (Carry::MeanStress { averaged: true }) {
+        let has_means = EXTRA == MEAN_STRESS || EXTRA == MEAN_PRESSURE;
+        if has_means && from.carry == (Carry::MeanStress { averaged: true }) {
             scratch.take_cell_means::<B::Line, D>();
         }
         scratch.fill_lines::<B::Half, D, FULL, GRADIENT, EXTRA>(from, at, block.count);
@@ -352,7 +390,7 @@ impl OwnedNodes<'_> {
                     rows: own.start - first_plane..own.end - first_plane,
                     row_length,
                 };
-                add_run::<B, D, N, FULL, GRADIENT>(scratch, from.carry, &below, nodes);
+                add_run::<B, D, N, FULL, GRADIENT, EXTRA>(scratch, from.carry, &below, nodes);
             } else {
                 for plane in own {
                     let row = (plane - planes.start) * mapping.nodes[1] + row;
@@ -366,11 +404,13 @@ impl OwnedNodes<'_> {
                     let lines = &scratch.lines;
                     match sums {
                         SumForm::Products => {
-                            add_products::<B, FULL>(products, lines, &below, nodes);
+                            add_products::<B, FULL, EXTRA>(products, lines, &below, nodes);
                         }
                         SumForm::Linear if FULL => add_linear::<B>(products, lines, &below, nodes),
                         _ => {
-                            add_run::<B, D, N, FULL, GRADIENT>(scratch, from.carry, &below, nodes);
+                            add_run::<B, D, N, FULL, GRADIENT, EXTRA>(
+                                scratch, from.carry, &below, nodes,
+                            );
                         }
                     }
                 }

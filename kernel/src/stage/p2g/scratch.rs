@@ -1,28 +1,14 @@
 //! Weights and quantities of a block of particles, as the sums over nodes want them.
 
-use super::{AXISYMMETRIC, Carry, MASS_GRADIENT, MEAN_STRESS, RING_GRADIENT, SumForm, voigt};
+use super::source::{P2gSource, line_of, place_of};
+use super::{
+    AXISYMMETRIC, Carry, MASS_GRADIENT, MEAN_PRESSURE, MEAN_STRESS, RING_GRADIENT, WATER, voigt,
+    water,
+};
 use crate::lanes::{Lanes, Quad, load};
 use crate::layout::Layout;
 use crate::stage::{Block, Mapping, weights_of};
 use crate::weights::cell_mean_weights;
-
-/// Source of the quantities, and the choice of them.
-pub(super) struct P2gSource<'a> {
-    /// Columns of the set.
-    pub columns: &'a [Vec<f64>],
-    /// Layout of the columns.
-    pub layout: &'a Layout,
-    /// View of the grid by the set.
-    pub mapping: &'a Mapping,
-    /// Quantities that are carried.
-    pub carry: Carry,
-    /// Rate of viscous damping \[1/s\]; 0 for none.
-    pub viscous_rate: f64,
-    /// Form of the sums.
-    pub sums: SumForm,
-    /// Factor of the stress.
-    pub stress_factor: f64,
-}
 
 /// Per particle of a block: the line multiplied by the weight, and those multiplied by derivative (upper lanes) and distance
 /// (lower lanes) along each axis.
@@ -160,6 +146,14 @@ fn rows<Q: Quad, const D: usize, const FULL: bool, const EXTRA: u8>(
 ) -> ([[Q; 4]; 4], [[Q; 4]; 4]) {
     let zero = Q::splat(0.0);
     let (mut lower, mut upper) = ([[zero; 4]; 4], [[zero; 4]; 4]);
+    if EXTRA == WATER {
+        water::rows::<Q, D>(from, at, count, (&mut lower, &mut upper));
+        return (lower, upper);
+    }
+    if EXTRA == MEAN_PRESSURE {
+        water::rows_of_mean::<Q, D>(from, at, count, &mut upper);
+        return (lower, upper);
+    }
     let (columns, mapping, carry) = (from.columns, from.mapping, from.carry);
     let m = load::<Q>(&columns[Layout::MASS], at, count);
     if EXTRA == MASS_GRADIENT || EXTRA == RING_GRADIENT {
@@ -264,24 +258,4 @@ fn rows<Q: Quad, const D: usize, const FULL: bool, const EXTRA: u8>(
 #[inline(always)]
 fn radius<Q: Quad>(columns: &[Vec<f64>], mapping: &Mapping, at: usize, count: usize) -> Q {
     load::<Q>(&columns[Layout::POSITION], at, count) + Q::splat(mapping.first_radius)
-}
-
-/// Line of the terms that go with the derivative along an axis: 1 slow, 2 middle, 3 fast.
-#[inline(always)]
-const fn line_of<const D: usize>(axis: usize) -> usize {
-    if axis + 1 == D { 3 } else { axis + 1 }
-}
-
-/// Line and upper lane of component `c` of what goes with the derivative along an axis. Without affine terms the slow axis
-/// shares line 0, whose upper lanes are free. In the plane what goes with the fast axis lies in lanes of its own
-/// ([`join`](super::join)), and without affine terms in line 0 as well.
-#[inline(always)]
-const fn place_of<const D: usize, const FULL: bool>(axis: usize, c: usize) -> (usize, usize) {
-    let lane = if D == 2 && axis == 1 { 2 + c } else { c };
-    let line = if !FULL && (D == 2 || axis == 0) {
-        0
-    } else {
-        line_of::<D>(axis)
-    };
-    (line, lane)
 }

@@ -1,7 +1,7 @@
 //! A column of soil with water in its pores: its scene, its means over cells, and the water beside the skeleton.
 
 use proctor_scene::simulation::Simulation;
-use proctor_scene::{History, PlaneCondition, PoreWater, Scene, Traction};
+use proctor_scene::{History, Permeability, PlaneCondition, PoreWater, Scene, Traction};
 
 use super::moved::smooth;
 use super::parts::{body, cells, elastic, plane_scene, rectangle, strip};
@@ -35,6 +35,7 @@ pub fn pore_water(porosity: f64, conductivity: f64) -> PoreWater {
         density: WATER,
         bulk: BULK_WATER,
         conductivity: [conductivity; 3],
+        permeability: Permeability::Constant,
         conductivity_gravity: CONDUCTIVITY_GRAVITY,
     }
 }

@@ -3,9 +3,7 @@
 use super::collector::Collector;
 use crate::values::{InitialPressure, InitialStress, Scene};
 use proctor_geometry::number::Number;
-use proctor_kernel::model::{
-    Damping, PlaneCondition, StressScheme, TransferKind, VolumetricStrain, Weighting,
-};
+use proctor_kernel::model::{Damping, PlaneCondition, StressScheme, TransferKind, Weighting};
 
 pub(super) fn check(scene: &Scene, problems: &mut Collector) {
     if !scene.has_water() {
@@ -185,8 +183,6 @@ fn check_method(scene: &Scene, problems: &mut Collector) {
     refuse("transfer", !flip, "an affine transfer", "FLIP");
     let uniform = scene.weighting == Weighting::UniformGimp;
     refuse("shape_function", !uniform, "this function", "GIMP");
-    let average = scene.volumetric_strain == VolumetricStrain::CellAverage;
-    refuse("volumetric_strain", average, "cell_average", "particle");
     let damped = scene.damping != Damping::None;
     refuse(
         "damping",
