@@ -81,6 +81,11 @@ const SHOWN: &[(&str, &[&str], &str)] = &[
         "2.4 cells over the contact radius",
     ),
     (
+        "hertz-ball",
+        &["L2(p) against Hertz"],
+        "judged by radius and peak; the study has it",
+    ),
+    (
         "rolling-disk-slab",
         &["growth of the area minus that of spin and load"],
         "judged in the plane",

@@ -7,6 +7,7 @@ mod laboratory;
 mod limits;
 mod measured;
 mod nonlinear;
+mod round;
 mod scene;
 mod table;
 mod tension;

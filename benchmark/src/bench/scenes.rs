@@ -51,6 +51,8 @@ pub struct BuiltIn {
     pub axes: &'static [usize],
     /// Its number of particles, where it has one of its own.
     pub particles: Option<usize>,
+    /// True where its axes are radius and height.
+    revolved: bool,
     make: fn(&Block) -> Made,
 }
 
@@ -61,7 +63,17 @@ const fn built_in(name: &'static str, what: &'static str, make: fn(&Block) -> Ma
         what,
         axes: &[2, 3],
         particles: None,
+        revolved: false,
         make,
+    }
+}
+
+/// A scene of the plane whose axes are radius and height.
+const fn revolved(name: &'static str, what: &'static str, make: fn(&Block) -> Made) -> BuiltIn {
+    BuiltIn {
+        axes: &[2],
+        revolved: true,
+        ..built_in(name, what, make)
     }
 }
 
@@ -165,6 +177,21 @@ pub const BUILT_IN: &[BuiltIn] = &[
         "the slabs with one that all particles are beyond",
         |block| yielding::slabs(block, "mohr_coulomb", true),
     ),
+    revolved(
+        "revolved",
+        "the block at rest as a ring about an axis of revolution",
+        rest,
+    ),
+    revolved(
+        "slabs-elastic-revolved",
+        "the slabs as rings about an axis of revolution",
+        |block| yielding::slabs(block, "elastic", false),
+    ),
+    revolved(
+        "slabs-von_mises-yields-revolved",
+        "the slabs as rings, with a yield surface that all particles are beyond",
+        |block| yielding::slabs(block, "von_mises", true),
+    ),
 ];
 
 /// Scenes without a configuration: each shows another cost. Single stages are measured in the first.
@@ -211,7 +238,11 @@ impl BuiltIn {
     pub fn make(&self, axes: usize, particles: usize) -> Made {
         let particles = self.particles.unwrap_or(particles);
         let slender = if self.name == "column" { 4.0 } else { 1.0 };
-        (self.make)(&Block::new(axes, particles, slender))
+        let mut made = (self.make)(&Block::new(axes, particles, slender));
+        if self.revolved {
+            made.scene["mesh"]["axisymmetric"] = true.into();
+        }
+        made
     }
 }
 

@@ -41,7 +41,27 @@ pub fn map(detail: &StabilityDetail, interrupted: bool, out: &mut dyn Write) -> 
             writeln!(out, "  {why}")?;
         }
     }
+    round(detail, out)?;
     verdict(detail, interrupted, out)
+}
+
+/// Bodies about the axis of revolution, where there are any.
+///
+/// # Errors
+/// If `out` cannot be written.
+pub fn round(detail: &StabilityDetail, out: &mut dyn Write) -> io::Result<()> {
+    if detail.round.is_empty() {
+        return Ok(());
+    }
+    writeln!(
+        out,
+        "About an axis of revolution: c dt/h of the body whose limit is nearest to the\nkernel's step, of rods, rings and discs; lengths in cells"
+    )?;
+    let mut table = Table::new(["", "body", "predicted", "unstable", "kernel"]);
+    for line in &detail.round {
+        table.push(line.clone());
+    }
+    writeln!(out, "{table}")
 }
 
 /// Parts that could not be done and gates that do not hold, and the verdict over all gates.

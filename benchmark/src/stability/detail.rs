@@ -15,6 +15,9 @@ pub struct StabilityDetail {
     /// Scenes that are not linear, a line each: name, method, the kernel's step, stable up to and unstable from over it, energy
     /// over that of the reference, why it fails.
     pub nonlinear: Vec<Vec<String>>,
+    /// Bodies about the axis of revolution, a line each: method, body, predicted and measured c dt/h, the kernel's step.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub round: Vec<Vec<String>>,
     /// Its bounds.
     pub gates: Vec<GateDetail>,
     /// Parts that could not be done, each with its reason.
@@ -138,6 +141,21 @@ impl Details {
                     format!("{:.2}", limit.energy),
                     cause,
                 ]);
+            }
+            Ok(Outcome::Round(entry)) => {
+                let name = done.job.name();
+                detail.round.extend(entry.rows.iter().map(|row| {
+                    let unstable = row.measured.unstable;
+                    let unstable =
+                        unstable.map_or_else(|| "none found".to_owned(), |c| format!("{c:.3}"));
+                    vec![
+                        name.replace(" about the axis", ""),
+                        row.words(),
+                        format!("{:.3}", row.predicted),
+                        unstable,
+                        format!("{:.3}", row.kernel),
+                    ]
+                }));
             }
             Err(error) => detail
                 .failures

@@ -9,4 +9,4 @@ mod side_by_side;
 
 pub use detail::{StabilityCell, StabilityDetail};
 pub use extreme::ExtremeDetail;
-pub use run::{Job, JobResult, MapRequest, Outcome, jobs, run};
+pub use run::{Job, JobResult, MapRequest, Outcome, jobs, round_jobs, run};

@@ -20,6 +20,7 @@ fn name(job: &Job) -> String {
             choice.particles_per_cell
         ),
         Job::Nonlinear(scene, ..) => format!("stability/{}/{words}", scene.name),
+        Job::Round(choice) => format!("stability/axis/{words}/ppc={}", choice.particles_per_cell),
     }
 }
 
@@ -73,6 +74,17 @@ impl Record {
                 measured(&mut row, "over_kernel_", &limit.measured);
                 if let Some(refusal) = &limit.refusal {
                     row.label("refusal", refusal);
+                }
+            }
+            Ok(Outcome::Round(entry)) => {
+                let per_cell = entry.choice.particles_per_cell;
+                row.count("particles_per_cell", per_cell as f64);
+                for of in &entry.rows {
+                    let kind = of.place.form.kind();
+                    row.label(format!("body_{kind}"), of.words());
+                    row.count(format!("value_predicted_{kind}"), of.predicted);
+                    row.count(format!("kernel_step_{kind}"), of.kernel);
+                    measured(&mut row, &format!("{kind}_"), &of.measured);
                 }
             }
             Err(error) => row.fail(error.to_string()),

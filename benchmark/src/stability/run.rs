@@ -8,6 +8,7 @@ use proctor_verification::settings::Method;
 use proctor_verification::stability::block::Choice;
 use proctor_verification::stability::map::{self, Entry};
 use proctor_verification::stability::nonlinear::{self, Limit, Nonlinear};
+use proctor_verification::stability::round::{self, RoundChoice, RoundEntry};
 use proctor_verification::stability::{StabilityError, table};
 
 /// Amount of work that is asked for.
@@ -30,6 +31,8 @@ pub enum Job {
     Entry(Choice),
     /// A scene that is not linear.
     Nonlinear(&'static Nonlinear, Method, Size),
+    /// Bodies about the axis of revolution.
+    Round(RoundChoice),
 }
 
 /// Result of a job.
@@ -39,6 +42,8 @@ pub enum Outcome {
     Entry(Box<Entry>),
     /// A limit.
     Nonlinear(Limit),
+    /// Bodies about the axis of revolution.
+    Round(RoundEntry),
 }
 
 /// A job that was done.
@@ -58,6 +63,7 @@ impl Job {
         match self {
             Self::Entry(choice) => choice.method,
             Self::Nonlinear(_, method, _) => *method,
+            Self::Round(choice) => choice.method,
         }
     }
 
@@ -67,6 +73,7 @@ impl Job {
         match self {
             Self::Entry(choice) => choice.name(),
             Self::Nonlinear(scene, method, _) => format!("{} {method}", scene.name),
+            Self::Round(choice) => choice.name(),
         }
     }
 
@@ -76,6 +83,7 @@ impl Job {
             Self::Nonlinear(scene, method, size) => {
                 Ok(Outcome::Nonlinear(scene.solve(method, size)?))
             }
+            Self::Round(choice) => Ok(Outcome::Round(choice.solve()?)),
         }
     }
 }
@@ -86,6 +94,7 @@ impl JobResult {
     pub fn gates(&self) -> Vec<Gate> {
         match (&self.job, &self.outcome) {
             (_, Ok(Outcome::Entry(entry))) => entry.gates(),
+            (_, Ok(Outcome::Round(entry))) => entry.gates(),
             (Job::Nonlinear(scene, method, _), Ok(Outcome::Nonlinear(limit))) => {
                 vec![scene.gate(*method, limit)]
             }
@@ -133,6 +142,15 @@ pub fn jobs(
     }
     all.retain(|job| schemes.contains(&job.method().scheme));
     all
+}
+
+/// The jobs of bodies about the axis of revolution, with the methods that scenes that are not linear are tried with; of these schemes
+/// alone.
+#[must_use]
+pub fn round_jobs(schemes: &[StressScheme]) -> Vec<Job> {
+    let choices = round::choices(&nonlinear::METHODS).into_iter();
+    let wanted = choices.filter(|choice| schemes.contains(&choice.method.scheme));
+    wanted.map(Job::Round).collect()
 }
 
 /// Runs jobs, `workers` at a time and each on one thread, as long as `go` says so before each, and hands them to `each` in

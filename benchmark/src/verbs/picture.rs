@@ -8,7 +8,7 @@ use crate::show::drawing;
 use crate::show::figures::runs::histories;
 use crate::show::number;
 use crate::show::particles::{
-    MeshLines, ParticleField, ParticlePicture, View, bounds, spacing, usual,
+    MeshLines, ParticleField, ParticlePicture, View, bounds, revolved, spacing, usual,
 };
 use clap::Args;
 use proctor_files::output::history::HISTORY;
@@ -35,7 +35,8 @@ const COLUMNS: usize = 2;
 ///
 /// Into the folder of the run go picture.png and picture.svg with the particles of the last frame, or of the one nearest to a
 /// time, and history.svg with the columns of history.csv as curves. Particles in space are seen from one direction without
-/// perspective, the nearest in front. With --animate goes animation.png, an animated PNG of all frames, which browsers play.
+/// perspective, the nearest in front. Those of an axisymmetric run are half of a section; --revolve turns it about the axis
+/// into a body in space, x and y horizontal and z its height, with the values of the section. With --animate goes animation.png, an animated PNG of all frames, which browsers play.
 #[derive(Args)]
 #[command(
     after_help = "Example: proctor run column.json --out column && proctor picture column\n\
@@ -61,8 +62,11 @@ struct Choice {
     #[arg(long, value_name = "LOW,HIGH", value_parser = range, allow_hyphen_values = true)]
     range: Option<[f64; 2]>,
     /// Draw the lines of the mesh, in the plane
-    #[arg(long)]
+    #[arg(long, conflicts_with = "revolve")]
     mesh: bool,
+    /// Turn an axisymmetric run about its axis, through so many degrees; a wedge is left open to look inside [without a number: 270]
+    #[arg(long, value_name = "DEGREES", num_args = 0..=1, default_missing_value = "270", value_parser = degrees, allow_hyphen_values = true)]
+    revolve: Option<f64>,
     /// Direction to look from in space, in degrees [default: -60,25]
     #[arg(long, value_name = "AZIMUTH,ELEVATION", value_parser = View::parse, allow_hyphen_values = true)]
     view: Option<View>,
@@ -77,6 +81,15 @@ fn range(text: &str) -> Result<[f64; 2], String> {
         Some(&[low, high]) if low < high && (high - low).is_finite() => Ok([low, high]),
         _ => Err(format!(
             "found {text:?}; accepted: LOW,HIGH, two numbers, the first less"
+        )),
+    }
+}
+
+fn degrees(text: &str) -> Result<f64, String> {
+    match text.trim().parse() {
+        Ok(degrees) if degrees > 0.0 && degrees <= 360.0 => Ok(degrees),
+        _ => Err(format!(
+            "found {text:?}; accepted: degrees above 0, up to 360"
         )),
     }
 }
@@ -124,6 +137,9 @@ fn draw(folder: &Path, choice: &Choice) -> Result<Vec<PathBuf>, String> {
     );
     let mut files: Vec<(&str, Vec<u8>)> = vec![];
     if !list.is_empty() {
+        if choice.revolve.is_some() {
+            check_axis(folder, summary.as_ref())?;
+        }
         let mesh = choice
             .mesh
             .then(|| mesh(folder, summary.as_ref()))
@@ -137,7 +153,7 @@ fn draw(folder: &Path, choice: &Choice) -> Result<Vec<PathBuf>, String> {
             Some(time) => nearest(&list, time),
             None => list.len() - 1,
         };
-        let (frame, time) = read(&list[chosen])?;
+        let (frame, time) = run.read(&list[chosen])?;
         let drawn = run.drawing(&frame, time, None)?;
         files.push((PNG, drawing::png(&drawn)));
         files.push((SVG, drawing::svg(&drawn).into_bytes()));
@@ -197,6 +213,15 @@ impl CommonScale {
 }
 
 impl DrawnRun<'_> {
+    /// A frame as it is drawn, and its time.
+    fn read(&self, file: &FrameFile) -> Result<(Frame, Option<f64>), String> {
+        let (frame, time) = read(file)?;
+        Ok(match self.choice.revolve {
+            Some(degrees) => (revolved(&frame, spacing(&frame), degrees), time),
+            None => (frame, time),
+        })
+    }
+
     fn field(&self, frame: &Frame) -> Result<ParticleField, String> {
         let name = match &self.choice.field {
             Some(name) => name.clone(),
@@ -239,7 +264,7 @@ impl DrawnRun<'_> {
             .iter()
             .skip(skipped)
             .step_by(every)
-            .map(read)
+            .map(|file| self.read(file))
             .collect::<Result<_, _>>()?;
         let mut common = CommonScale::new(&frames[0].0);
         for (frame, _) in &frames {
@@ -296,6 +321,20 @@ fn nearest(list: &[FrameFile], time: f64) -> usize {
     (0..list.len())
         .min_by(|a, b| off(*a).total_cmp(&off(*b)))
         .unwrap_or(0)
+}
+
+/// Refuses to revolve what is no half of a section.
+fn check_axis(folder: &Path, summary: Option<&Summary>) -> Result<(), String> {
+    let mesh = summary.and_then(|summary| summary.mesh.as_ref());
+    let found = match mesh {
+        Some(mesh) if mesh.axisymmetric => return Ok(()),
+        Some(_) => "--revolve of a run whose mesh is not axisymmetric".to_owned(),
+        None => format!("no mesh in {SUMMARY}, which a run writes when it ends"),
+    };
+    Err(format!(
+        "{}: {found}; accepted: a run of a scene with `\"axisymmetric\": true` in its mesh, or no --revolve",
+        folder.display()
+    ))
 }
 
 /// The mesh of a run.

@@ -20,6 +20,8 @@ use std::path::{Path, PathBuf};
 
 /// Name of the map among the rows.
 const MAP: &str = "map";
+/// Name of the bodies about an axis of revolution among the rows.
+const AXIS: &str = "axis";
 /// Name of the picture.
 const PICTURE: &str = "stability.svg";
 
@@ -27,8 +29,9 @@ const PICTURE: &str = "stability.svg";
 ///
 /// Predicted from the linear part of the kernel's own step, measured by runs with noise that close in on the limit, for
 /// every weighting function, scheme and transfer, one to four particles per cell and axis, blocks, thin bodies and single
-/// particles at nineteen places on the mesh; then what is not linear. Numbers are c dt / min(h). The exit code is 1 if a
-/// measured limit lies below the predicted one or below the step that the kernel takes.
+/// particles at nineteen places on the mesh; then what is not linear, and rods, rings and discs about an axis of
+/// revolution. Numbers are c dt / min(h). The exit code is 1 if a measured limit lies below the predicted one or below
+/// the step that the kernel takes.
 ///
 /// With a scene: its predicted critical step, the kernel's, what rules it, and what would allow a larger one.
 #[derive(Args)]
@@ -45,7 +48,7 @@ pub struct Stability {
     /// Run stiff and extreme scenes instead: each passes a physical check, is refused with a reason, or fails
     #[arg(long, conflicts_with_all = ["scene", "quick", "table", "schemes", "svg"])]
     extreme: bool,
-    /// Only these rows: `map`, or the name of a nonlinear scene; with --extreme the name of an extreme scene
+    /// Only these rows: `map`, `axis`, or the name of a nonlinear scene; with --extreme the name of an extreme scene
     #[arg(long = "row", value_name = "ROW")]
     rows: Vec<String>,
     /// Only these schemes: usl, usf, musl
@@ -66,6 +69,7 @@ pub struct Stability {
 #[derive(Clone, Copy)]
 enum RowName {
     Map,
+    Axis,
     Scene(&'static Nonlinear),
 }
 
@@ -73,6 +77,7 @@ impl RowName {
     fn word(self) -> &'static str {
         match self {
             Self::Map => MAP,
+            Self::Axis => AXIS,
             Self::Scene(scene) => scene.name,
         }
     }
@@ -95,7 +100,8 @@ impl Stability {
         if self.extreme {
             return self.extreme(out);
         }
-        let all: Vec<RowName> = std::iter::once(RowName::Map)
+        let all: Vec<RowName> = [RowName::Map, RowName::Axis]
+            .into_iter()
             .chain(nonlinear::ALL.iter().map(RowName::Scene))
             .collect();
         let rows = names::chosen(&self.rows, &all, "row", RowName::word)?;
@@ -103,10 +109,11 @@ impl Stability {
         let known = [StressScheme::Usl, StressScheme::Usf, StressScheme::Musl];
         let schemes = names::chosen(&schemes, &known, "scheme", scheme_word)?;
         let map = rows.iter().any(|row| matches!(row, RowName::Map));
+        let axis = rows.iter().any(|row| matches!(row, RowName::Axis));
         let scenes: Vec<&'static Nonlinear> = rows
             .into_iter()
             .filter_map(|row| match row {
-                RowName::Map => None,
+                RowName::Map | RowName::Axis => None,
                 RowName::Scene(scene) => Some(scene),
             })
             .collect();
@@ -118,7 +125,10 @@ impl Stability {
         } else {
             MapRequest::Full
         };
-        let jobs = stability::jobs(asked, map, &scenes, &schemes);
+        let mut jobs = stability::jobs(asked, map, &scenes, &schemes);
+        if axis {
+            jobs.extend(stability::round_jobs(&schemes));
+        }
         if jobs.is_empty() {
             return Err(Failure::BadInput(
                 "none of these rows can be run with these schemes; mortar contact takes usl and musl".to_owned(),
@@ -263,16 +273,20 @@ fn ask(path: &Path, out: &mut dyn Write) -> Result<Outcome, Failure> {
 /// Prints the kernel's table as its source, then what the one that it holds is worth.
 fn print_table(out: &mut dyn Write) -> Result<Outcome, Failure> {
     let all = [StressScheme::Usl, StressScheme::Usf, StressScheme::Musl];
-    let jobs = stability::jobs(MapRequest::Table, true, &[], &all);
+    let mut jobs = stability::jobs(MapRequest::Table, true, &[], &all);
+    jobs.extend(stability::round_jobs(&all));
     let mut record = Record::new(&Options::default());
     let interrupt = Interrupt::listen()?;
-    let mut entries = vec![];
+    let (mut entries, mut right) = (vec![], true);
     let mut progress = Progress::new("stability");
     for done in done(&jobs, &interrupt, &mut record, &mut |share| {
         progress.at(share);
     }) {
+        let passed = done.passed();
         match done.outcome {
             Ok(JobOutcome::Entry(entry)) => entries.push(*entry),
+            // What was found stands in the record, for a table of its own.
+            Ok(JobOutcome::Round(_)) => right &= passed,
             Ok(JobOutcome::Nonlinear(_)) => {}
             Err(error) => {
                 writeln!(out, "{}: {error}", done.job.name())?;
@@ -291,7 +305,10 @@ fn print_table(out: &mut dyn Write) -> Result<Outcome, Failure> {
         table::source(&numbers, date.split('T').next().unwrap_or(date))
     )?;
     show::numbers(&numbers, out)?;
-    let right = numbers.iter().all(|n| n.worth() == table::Worth::Right);
+    right &= numbers.iter().all(|n| n.worth() == table::Worth::Right);
+    if let Some(detail) = &record.details.stability {
+        show::round(detail, out)?;
+    }
     Ok(if right {
         Outcome::Fine
     } else {

@@ -63,6 +63,54 @@ fn a_run_in_the_plane_and_one_in_space_are_drawn() {
     }
 }
 
+/// A cylinder that falls along its axis.
+fn falling_cylinder() -> Value {
+    let mut scene = falling(2);
+    scene["mesh"]["axisymmetric"] = true.into();
+    scene["body"][0]["point_p1"] = json!([0.0, 0.2]);
+    scene
+}
+
+#[test]
+fn a_body_of_revolution_is_drawn_in_space() {
+    let desk = Desk::new();
+    let scene = desk.scene("fall.json", &falling_cylinder());
+    assert_eq!(code(&desk.run(&scene, "out", &[])), 0);
+    let out = desk.name("out");
+    let svg = |arguments: &[&str]| {
+        let output = proctor(&[&["picture", &out], arguments].concat());
+        assert_eq!(code(&output), 0, "{}", stderr(&output));
+        fs::read_to_string(desk.path("out").join("picture.svg")).expect("a picture")
+    };
+    assert!(!svg(&[]).contains("z (m)"));
+    let [usual, given, whole] = [
+        svg(&["--revolve"]),
+        svg(&["--revolve", "270"]),
+        svg(&["--revolve", "360", "--animate"]),
+    ];
+    assert!(usual.contains("z (m)"));
+    assert!(usual == given && usual != whole);
+}
+
+#[test]
+fn what_cannot_be_revolved_is_named() {
+    let desk = Desk::new();
+    for axes in [2, 3] {
+        let scene = desk.scene("fall.json", &falling(axes));
+        assert_eq!(code(&desk.run(&scene, &format!("out{axes}"), &[])), 0);
+        let output = proctor(&["picture", &desk.name(&format!("out{axes}")), "--revolve"]);
+        assert_eq!(code(&output), 2);
+        for words in ["not axisymmetric", "accepted: ", "\"axisymmetric\": true"] {
+            assert!(stderr(&output).contains(words), "{}", stderr(&output));
+        }
+    }
+    for value in ["0", "-90", "361", "half", "NaN"] {
+        let output = proctor(&["picture", &desk.name("out2"), "--revolve", value]);
+        assert_eq!(code(&output), 2, "{value}");
+        assert!(stderr(&output).contains("accepted: degrees above 0"));
+    }
+}
+
 #[test]
 fn a_field_that_is_not_there_is_answered_with_the_list() {
     let desk = Desk::new();

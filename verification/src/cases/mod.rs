@@ -30,6 +30,7 @@ mod grains;
 mod half_space;
 mod head;
 mod hertz;
+mod hertz_ball;
 mod hertz_slab;
 mod hertz_sphere;
 mod homogeneous;
@@ -145,6 +146,7 @@ list! {
     corner_block::[CORNER_BLOCK],
     hertz_slab::[HERTZ_SLAB],
     hertz_sphere::[HERTZ_SPHERE],
+    hertz_ball::[HERTZ_BALL],
     rolling_disk_slab::[ROLLING_DISK_SLAB],
     cantilever::[CANTILEVER],
     rings::[RINGS],

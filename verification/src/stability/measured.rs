@@ -46,6 +46,16 @@ pub struct MeasuredLimit {
     pub runs: usize,
 }
 
+impl MeasuredLimit {
+    /// Nothing was measured.
+    pub const NONE: Self = Self {
+        stable: None,
+        unstable: None,
+        class: None,
+        runs: 0,
+    };
+}
+
 /// Source of the growth of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Class {

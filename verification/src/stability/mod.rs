@@ -17,6 +17,7 @@ pub mod map;
 pub mod measured;
 pub mod nonlinear;
 pub mod predicted;
+pub mod round;
 pub mod scene;
 pub mod table;
 pub mod tension;

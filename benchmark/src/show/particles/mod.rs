@@ -3,9 +3,11 @@
 mod field;
 mod furniture;
 mod palette;
+mod revolve;
 mod view;
 
 pub use field::{ParticleField, usual};
+pub use revolve::revolved;
 pub use view::{Projection, View};
 
 use super::drawing::{Drawing, Pixels};

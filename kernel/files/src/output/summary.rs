@@ -105,6 +105,15 @@ pub struct SummaryMesh {
     pub cell: Vec<f64>,
     /// Number of cells.
     pub cells: Vec<u64>,
+    /// True where the axes are radius and height; left out where they are not.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub axisymmetric: bool,
+}
+
+/// For keys that are left out where they are false.
+#[allow(clippy::trivially_copy_pass_by_ref)]
+fn is_false(value: &bool) -> bool {
+    !*value
 }
 
 /// Energy at the end of the run \[J\], all of it at the time of the positions. What was there at the start and was brought in

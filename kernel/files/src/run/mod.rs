@@ -236,6 +236,7 @@ impl Run {
                     .iter()
                     .map(|&n| n as u64)
                     .collect(),
+                axisymmetric: simulation.scene().mesh.axisymmetric,
             }),
             particles: simulation.particles() as u64,
             nodes_active: simulation.nodes_with_mass() as u64,

@@ -17,6 +17,7 @@ fn complete() -> Summary {
             origin: vec![0.0; 3],
             cell: vec![0.5; 3],
             cells: vec![4; 3],
+            axisymmetric: true,
         }),
         particles: 8,
         nodes_active: 27,
