@@ -7,7 +7,7 @@
 mod cells;
 
 use crate::grid::{ActiveRows, GridShape};
-use crate::lanes::Selected;
+use crate::lanes::SelectedLanes;
 use crate::particles::ParticleSet;
 use crate::team::Team;
 use crate::weights::{Family, base_offset};
@@ -60,7 +60,7 @@ impl Sorter {
         sets: &mut [ParticleSet],
         shape: &GridShape,
         (family, stencil): (Family, usize),
-        lanes: Selected,
+        lanes: SelectedLanes,
         team: &Team,
         rows: &mut ActiveRows,
     ) {
@@ -87,7 +87,13 @@ impl Sorter {
     }
 
     /// Numbers the particles of a set by their base cells.
-    fn number(&mut self, set: &ParticleSet, numbering: &Numbering, lanes: Selected, team: &Team) {
+    fn number(
+        &mut self,
+        set: &ParticleSet,
+        numbering: &Numbering,
+        lanes: SelectedLanes,
+        team: &Team,
+    ) {
         self.keys.resize(set.len(), 0);
         let share = set.len().div_ceil(team.count()).max(1);
         team.each(self.keys.chunks_mut(share).enumerate(), |(part, keys)| {

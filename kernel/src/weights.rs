@@ -386,6 +386,6 @@ pub fn weights_at<const N: usize, const D: usize>(
     for axis in 0..D {
         within[axis] = xi[axis] - base[axis];
     }
-    let (w, g) = crate::lanes::Selected::any().run(Axes::<N, D>(family, within, l));
+    let (w, g) = crate::lanes::SelectedLanes::any().run(Axes::<N, D>(family, within, l));
     (base, w, g)
 }

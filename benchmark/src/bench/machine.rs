@@ -1,6 +1,6 @@
 //! The limits of the machine: bandwidth by a triad, arithmetic by fused multiply-adds.
 
-use proctor_kernel::lanes::{Backend, Kernel, Lanes, Selected};
+use proctor_kernel::lanes::{Backend, Kernel, Lanes, SelectedLanes};
 use std::hint::black_box;
 use std::sync::Barrier;
 use std::time::{Duration, Instant};
@@ -28,7 +28,7 @@ pub struct Peaks {
 impl Peaks {
     /// Measures both on all threads at once.
     #[must_use]
-    pub fn measure(threads: usize, lanes: Selected) -> Self {
+    pub fn measure(threads: usize, lanes: SelectedLanes) -> Self {
         let bytes = 24.0 * NUMBERS as f64 * threads as f64;
         let bandwidth = bytes
             / fastest(threads, || {

@@ -3,7 +3,7 @@
 use super::counts::Least;
 use super::memory;
 use crate::measure::{Spent, Stopwatch};
-use proctor_kernel::lanes::{LaneChoice, Selected};
+use proctor_kernel::lanes::{LaneChoice, SelectedLanes};
 use proctor_scene::Scene;
 use proctor_scene::simulation::{InitialField, Options, Part, Phase, Simulation, StepError};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -64,7 +64,7 @@ pub struct Sample {
     /// Least work of a particle in a step, where it was counted.
     pub least: Option<Least>,
     /// Lanes in use.
-    pub lanes: Selected,
+    pub lanes: SelectedLanes,
 }
 
 impl Work {

@@ -8,7 +8,7 @@ use super::rows;
 use super::sample::Settings;
 use crate::progress::Progress;
 use crate::record::{Record, Row};
-use proctor_kernel::lanes::{LaneChoice, Selected};
+use proctor_kernel::lanes::{LaneChoice, SelectedLanes};
 use proctor_scene::SceneError;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -143,7 +143,8 @@ impl Session {
     }
 
     fn measure_peaks(&mut self, record: &mut Record, stop: &AtomicBool) {
-        let lanes = Selected::new(self.settings.lanes).unwrap_or_else(|_| Selected::any());
+        let lanes =
+            SelectedLanes::new(self.settings.lanes).unwrap_or_else(|_| SelectedLanes::any());
         let mut counts: Vec<usize> = self.slots.iter().map(|slot| slot.work.threads).collect();
         counts.sort_unstable();
         counts.dedup();

@@ -1,7 +1,7 @@
 //! Circumstances in which a record was measured.
 
 use super::machine;
-use proctor_kernel::lanes::Selected;
+use proctor_kernel::lanes::SelectedLanes;
 use proctor_scene::simulation::Options;
 use serde_json::{Value, json};
 use std::time::{SystemTime, UNIX_EPOCH};
@@ -19,7 +19,7 @@ pub const SCHEMA_VERSION: u32 = 1;
 #[must_use]
 pub fn now(options: &Options) -> Value {
     let processors = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-    let lanes = Selected::new(options.lanes).unwrap_or_else(|_| Selected::any());
+    let lanes = SelectedLanes::new(options.lanes).unwrap_or_else(|_| SelectedLanes::any());
     let mut context = json!({
         "schema_version": SCHEMA_VERSION,
         "executable": "proctor",

@@ -16,7 +16,7 @@ use crate::show;
 use crate::show::figures;
 use clap::Args;
 use proctor_files::output::atomic;
-use proctor_kernel::lanes::Selected;
+use proctor_kernel::lanes::SelectedLanes;
 use proctor_verification::case::Size;
 use proctor_verification::study;
 use std::io::Write;
@@ -88,7 +88,7 @@ impl Arena {
         let problems = self.problems()?;
         let mut options = self.settings.options()?;
         let threads = *options.threads.get_or_insert(1);
-        Selected::new(options.lanes).map_err(Failure::bad_input)?;
+        SelectedLanes::new(options.lanes).map_err(Failure::bad_input)?;
         let config = self.config()?;
         let folder = Folder::new(self.keep.as_deref())?;
         let mut record = Record::new(&options);

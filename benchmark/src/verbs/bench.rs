@@ -11,7 +11,7 @@ use crate::interrupt::Interrupt;
 use crate::record::Record;
 use crate::say::say;
 use clap::Args;
-use proctor_kernel::lanes::Selected;
+use proctor_kernel::lanes::SelectedLanes;
 use proctor_scene::simulation::Options;
 use std::io::Write;
 use std::num::NonZeroUsize;
@@ -69,7 +69,7 @@ impl Bench {
             lanes: self.lanes.into(),
             ..Options::default()
         };
-        Selected::new(options.lanes).map_err(Failure::bad_input)?;
+        SelectedLanes::new(options.lanes).map_err(Failure::bad_input)?;
         // A configuration is one for several machines and may ask for more, which is warned of there.
         for threads in &self.threads {
             bounded(OPTION, threads.get())?;

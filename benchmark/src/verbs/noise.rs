@@ -10,7 +10,7 @@ use crate::record::{BY_SCENE, Record, Row};
 use crate::show::Table;
 use crate::suite;
 use clap::Args;
-use proctor_kernel::lanes::Selected;
+use proctor_kernel::lanes::SelectedLanes;
 use proctor_scene::simulation::Options;
 use proctor_verification::case::{self, Case, Size};
 use std::io::Write;
@@ -62,7 +62,7 @@ pub struct Noise {
 impl Noise {
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
         let options = self.settings.options()?;
-        Selected::new(options.lanes).map_err(Failure::bad_input)?;
+        SelectedLanes::new(options.lanes).map_err(Failure::bad_input)?;
         let (records, stopped) = if self.records.is_empty() {
             let cases = names::chosen(&self.cases, case::all(), "case", Case::name)?;
             let interrupt = Interrupt::listen()?;

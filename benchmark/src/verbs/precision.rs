@@ -14,7 +14,7 @@ use crate::record::Record;
 use crate::show::{figures, precision as show};
 use clap::Args;
 use proctor_files::output::atomic;
-use proctor_kernel::lanes::Selected;
+use proctor_kernel::lanes::SelectedLanes;
 use proctor_verification::case::Size;
 use proctor_verification::study;
 use std::io::Write;
@@ -89,7 +89,7 @@ impl Precision {
         let mut options = self.settings.options()?;
         // Small runs gain nothing from threads, and their times would say more about waiting than about work.
         let threads = *options.threads.get_or_insert(1);
-        Selected::new(options.lanes).map_err(Failure::bad_input)?;
+        SelectedLanes::new(options.lanes).map_err(Failure::bad_input)?;
         let effort = Effort {
             size: if self.quick { Size::Quick } else { Size::Full },
             repetitions: self.repetitions.get(),

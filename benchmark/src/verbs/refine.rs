@@ -18,7 +18,7 @@ use crate::show::{number, refine as show};
 use clap::Args;
 use proctor_files::json::{SourceMap, Stage};
 use proctor_files::output::atomic;
-use proctor_kernel::lanes::Selected;
+use proctor_kernel::lanes::SelectedLanes;
 use proctor_scene::simulation::Options;
 use proctor_scene::{Problem, Scene};
 use proctor_verification::refine::Meshes;
@@ -180,7 +180,7 @@ impl Refine {
         let (stage, before) = self.chosen(stages(&self.scene)?)?;
         let Stage { scene, places, .. } = &stage;
         let options = self.settings.options()?;
-        Selected::new(options.lanes).map_err(Failure::bad_input)?;
+        SelectedLanes::new(options.lanes).map_err(Failure::bad_input)?;
         if let (None, Some(threads)) = (options.threads, scene.threads) {
             bounded(&format!("{}: n_threads", self.scene.display()), threads)?;
         }

@@ -20,7 +20,7 @@ use clap::Args;
 use earlier::Earlier;
 use generated::GeneratedChoices;
 use mill::Mill;
-use proctor_kernel::lanes::Selected;
+use proctor_kernel::lanes::SelectedLanes;
 use proctor_scene::simulation::Options;
 use proctor_verification::case::{self, Case, Size};
 use std::io::Write;
@@ -130,7 +130,7 @@ impl Verify {
             return Ok(Outcome::Fine);
         }
         let options = self.settings.options()?;
-        Selected::new(options.lanes).map_err(Failure::bad_input)?;
+        SelectedLanes::new(options.lanes).map_err(Failure::bad_input)?;
         if let Some(count) = self.generated {
             if !self.amount.more_than_the_verdict() {
                 progress::hide();

@@ -1,7 +1,7 @@
 //! Check of a law: what every law must hold, in one line of its author's test.
 
 use crate::point::{Point, PointFault};
-use proctor_kernel::lanes::{LaneChoice, Selected};
+use proctor_kernel::lanes::{LaneChoice, SelectedLanes};
 use proctor_kernel::laws::{AnyLaw, Component};
 use std::fmt;
 
@@ -195,7 +195,7 @@ impl Check {
     }
 
     fn lanes(&self) -> Result<(), LawFault> {
-        let at_end = |lanes: Selected| {
+        let at_end = |lanes: SelectedLanes| {
             let point = self.follow(self.in_space().on(lanes), |step| self.gradient(step, 3))?;
             let stress = point.stress().into_iter();
             Ok(stress
@@ -204,9 +204,9 @@ impl Check {
                 .map(f64::to_bits)
                 .collect::<Vec<u64>>())
         };
-        let reference = at_end(Selected::plain())?;
+        let reference = at_end(SelectedLanes::plain())?;
         for choice in [LaneChoice::Scalar, LaneChoice::Avx2, LaneChoice::Avx512] {
-            let Ok(lanes) = Selected::new(choice) else {
+            let Ok(lanes) = SelectedLanes::new(choice) else {
                 continue;
             };
             let differs = at_end(lanes)? != reference;

@@ -4,7 +4,7 @@ use super::principal::spectrum;
 use super::tensor::{Matrix, inner};
 use super::{Constant, Increment, Isotropic, Law, Particle, Readable, Stress};
 use crate::functions;
-use proctor_kernel::lanes::{Backend, Kernel, Lanes, Selected};
+use proctor_kernel::lanes::{Backend, Kernel, Lanes, SelectedLanes};
 
 /// Hencky's elasticity: Kirchhoff stress tau = J sigma = lambda tr(e) 1 + 2 mu e of the logarithmic strain e = ln(F F^T)/2.
 ///
@@ -102,7 +102,7 @@ impl Law for Hencky {
     }
 
     fn energy(&self, particle: &Particle<'_>) -> f64 {
-        let strain = Selected::any().run(Strains(&particle.deformation));
+        let strain = SelectedLanes::any().run(Strains(&particle.deformation));
         self.energy_density(&strain) * particle.mass / particle.density
     }
 }

@@ -1,7 +1,7 @@
 //! One material point without a grid: a law under a path of strain, and the strains that a path of stress asks for.
 
 use nalgebra::Matrix3;
-use proctor_kernel::lanes::Selected;
+use proctor_kernel::lanes::SelectedLanes;
 use proctor_kernel::laws::tensor::Configuration;
 use proctor_kernel::laws::{AnyLaw, Block, Component, Gradients, Particle, UNDEFORMED};
 use proctor_kernel::layout::{Layout, Optional};
@@ -17,7 +17,7 @@ pub struct Point {
     layout: Layout,
     columns: Vec<Vec<f64>>,
     density: f64,
-    lanes: Selected,
+    lanes: SelectedLanes,
     time: f64,
 }
 
@@ -67,7 +67,7 @@ impl Point {
             layout,
             columns: vec![vec![0.0]; layout.columns],
             density,
-            lanes: Selected::any(),
+            lanes: SelectedLanes::any(),
             time: 0.0,
         };
         point.begin(stress);
@@ -119,7 +119,7 @@ impl Point {
 
     /// The same on other lanes.
     #[must_use]
-    pub fn on(self, lanes: Selected) -> Self {
+    pub fn on(self, lanes: SelectedLanes) -> Self {
         Self { lanes, ..self }
     }
 

@@ -1,7 +1,7 @@
 //! Queries of a simulation: what it was set up with, and values of single particles.
 
 use crate::running::Simulation;
-use proctor_kernel::lanes::Selected;
+use proctor_kernel::lanes::SelectedLanes;
 use proctor_kernel::layout::Layout;
 use proctor_kernel::model::Vector;
 use proctor_kernel::plan::Plan;
@@ -35,7 +35,7 @@ impl Simulation {
 
     /// Lanes in use.
     #[must_use]
-    pub fn lanes(&self) -> Selected {
+    pub fn lanes(&self) -> SelectedLanes {
         self.model().lanes
     }
 

@@ -6,7 +6,7 @@
 //! follow the x86 rule (the second operand where the comparison is false), and nothing reduces across lanes
 //! except order-independent operations. The tests compare all backends bit by bit.
 //!
-//! A stage is written once as a [`Kernel`], generic over a [`Backend`]; [`Selected::run`] calls it inside a
+//! A stage is written once as a [`Kernel`], generic over a [`Backend`]; [`SelectedLanes::run`] calls it inside a
 //! function compiled for the chosen instruction set. Everything a kernel calls must be `#[inline(always)]`,
 //! and none of it a closure over lanes, which cannot be: what is not inlined is compiled without those instructions,
 //! and every operation in it becomes a call. `.ci/run` looks for such calls.
@@ -200,7 +200,7 @@ impl LaneChoice {
 
 /// A backend that this machine has been seen to support.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Selected(Kind);
+pub struct SelectedLanes(Kind);
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
@@ -226,7 +226,7 @@ impl fmt::Display for LanesUnavailable {
             self.0.word()
         )?;
         for choice in [LaneChoice::Avx512, LaneChoice::Avx2, LaneChoice::Scalar] {
-            if Selected::new(choice).is_ok() {
+            if SelectedLanes::new(choice).is_ok() {
                 write!(f, " {}", choice.word())?;
             }
         }
@@ -236,7 +236,7 @@ impl fmt::Display for LanesUnavailable {
 
 impl std::error::Error for LanesUnavailable {}
 
-impl Selected {
+impl SelectedLanes {
     /// Selects a backend.
     ///
     /// # Errors
@@ -304,7 +304,7 @@ impl Selected {
     #[inline]
     pub fn run<K: Kernel>(self, kernel: K) -> K::Output {
         match self.0 {
-            // SAFETY: `Selected::new` makes these kinds only where the features were detected.
+            // SAFETY: `SelectedLanes::new` makes these kinds only where the features were detected.
             #[cfg(target_arch = "x86_64")]
             Kind::Avx512 => unsafe { x86::run_avx512(kernel) },
             #[cfg(target_arch = "x86_64")]

@@ -8,7 +8,7 @@ use super::{
     Constant, Curve, Increment, InvalidConstant, Law, Particle, Rows, StoredParticle, StrainRange,
     Stress,
 };
-use crate::lanes::{Backend, Kernel, Lanes, Selected, load, store};
+use crate::lanes::{Backend, Kernel, Lanes, SelectedLanes, load, store};
 use crate::layout::{Layout, Variable};
 use std::any::Any;
 use std::fmt;
@@ -135,7 +135,7 @@ pub trait Strain: Any + fmt::Debug + Send + Sync {
     /// True if another law is the same.
     fn equals(&self, other: &dyn Strain) -> bool;
     /// Strains a block of particles.
-    fn strain(&self, lanes: Selected, block: Block<'_, '_>) -> BlockStrain;
+    fn strain(&self, lanes: SelectedLanes, block: Block<'_, '_>) -> BlockStrain;
 }
 
 impl<M: Law> Strain for M {
@@ -205,13 +205,13 @@ impl<M: Law> Strain for M {
         Law::algorithmic(self, particle)
     }
     fn speed_squared(&self, particle: &Particle<'_>) -> f64 {
-        Selected::any().run(RestWaveSpeed(self, particle))
+        SelectedLanes::any().run(RestWaveSpeed(self, particle))
     }
     fn equals(&self, other: &dyn Strain) -> bool {
         let other: &dyn Any = other;
         other.downcast_ref() == Some(self)
     }
-    fn strain(&self, lanes: Selected, block: Block<'_, '_>) -> BlockStrain {
+    fn strain(&self, lanes: SelectedLanes, block: Block<'_, '_>) -> BlockStrain {
         match (block.layout.axes, block.layout.axisymmetric) {
             (2, false) => lanes.run(StrainKernel::<M, 2, 2>(self, block)),
             (2, true) => lanes.run(StrainKernel::<M, 2, 3>(self, block)),

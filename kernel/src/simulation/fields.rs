@@ -6,7 +6,7 @@
 //! are cut into the same slabs, so that whoever owns a slab owns all fields of its nodes.
 
 use crate::grid::{ActiveRows, GridShape, Line, Nodes};
-use crate::lanes::Selected;
+use crate::lanes::SelectedLanes;
 use crate::particles::ParticleSet;
 use crate::sorting::{Sorter, rows_of};
 use crate::stage::solve::Planes;
@@ -181,7 +181,7 @@ impl Grid {
         &mut self,
         sets: &mut [ParticleSet],
         reach: (Family, usize),
-        lanes: Selected,
+        lanes: SelectedLanes,
     ) {
         let particles = sets.iter().map(ParticleSet::len).sum::<usize>();
         let team = if particles < 2 * self.least_share {

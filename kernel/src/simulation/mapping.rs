@@ -2,7 +2,7 @@
 
 use super::fields::{Owner, Slab, SlabField};
 use crate::grid::{GHOSTS_BELOW, GridShape};
-use crate::lanes::Selected;
+use crate::lanes::SelectedLanes;
 use crate::layout::Layout;
 use crate::model::Vector;
 use crate::particles::ParticleSet;
@@ -18,7 +18,7 @@ use std::ops::{Deref, Range};
 
 /// P2G of the quantities that `carry` names. Borrows the particles alone, so that the nodes can be written meanwhile.
 pub(super) fn particle_to_grid<'a>(
-    (plan, lanes): (&'a Plan, Selected),
+    (plan, lanes): (&'a Plan, SelectedLanes),
     bodies: &'a [BodyRun],
     (sets, stencil): (&'a [ParticleSet], usize),
     own_field: &'a [bool],
@@ -84,7 +84,7 @@ pub(super) struct ParticleToGrid<'a> {
     pub(super) bodies: &'a [BodyRun],
     /// True for each of them that has a field of its own.
     own_field: &'a [bool],
-    lanes: Selected,
+    lanes: SelectedLanes,
     /// Nodes per axis of the stencil.
     pub(super) stencil: usize,
     /// Weighting functions.

@@ -1,7 +1,7 @@
 //! The model of a simulation: immutable in a step, changed only between two stages.
 
 use super::{BaseVelocity, BodyForce};
-use crate::lanes::Selected;
+use crate::lanes::SelectedLanes;
 use crate::model::CycleSettings;
 use crate::plan::Plan;
 use crate::simulation::context::Condition;
@@ -17,7 +17,7 @@ pub struct Model {
     /// Plan of the simulation.
     pub plan: Plan,
     /// Lanes in use.
-    pub lanes: Selected,
+    pub lanes: SelectedLanes,
     /// The bodies.
     pub bodies: Vec<BodyRun>,
     /// Conditions at the nodes; those of the user come last. See [`conditions`](super::conditions).

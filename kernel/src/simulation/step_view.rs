@@ -1,7 +1,7 @@
 //! Views of a simulation in a step, as interactions read and change it.
 
 use super::BaseVelocity;
-use crate::lanes::Selected;
+use crate::lanes::SelectedLanes;
 use crate::layout::Layout;
 use crate::model::{CycleSettings, Vector};
 use crate::particles::ParticleSet;
@@ -29,7 +29,7 @@ pub struct StepView<'a> {
     /// Velocity of the base, where one moves.
     pub base: Option<&'a BaseVelocity>,
     /// Lanes in use.
-    pub lanes: Selected,
+    pub lanes: SelectedLanes,
     /// Nodes per axis of the stencil, 3 or 4.
     pub stencil: usize,
     /// Largest travel of a particle since the last sort \[cells\].
@@ -105,7 +105,7 @@ pub struct StepUpdate<'a> {
     pub(super) maxima: &'a [ParticleMaxima],
     pub(super) clock: &'a Clock,
     pub(super) base: Option<&'a BaseVelocity>,
-    pub(super) lanes: Selected,
+    pub(super) lanes: SelectedLanes,
     pub(super) stencil: usize,
     pub(super) travel: f64,
     pub(super) mesh_shift: Vector,

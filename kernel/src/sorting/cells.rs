@@ -2,7 +2,7 @@
 
 use super::ThreadList;
 use crate::grid::GridShape;
-use crate::lanes::{Backend, Kernel, Lanes, Selected, load};
+use crate::lanes::{Backend, Kernel, Lanes, SelectedLanes, load};
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
 use crate::stage::index_of;
@@ -31,7 +31,7 @@ impl Cells {
         set: &ParticleSet,
         shape: &GridShape,
         offset: f64,
-        lanes: Selected,
+        lanes: SelectedLanes,
         team: &Team,
     ) -> Self {
         let mut cells = Self::all(shape);

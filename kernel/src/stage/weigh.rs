@@ -3,7 +3,7 @@
 //! The cycle never calls it, since keeping weights costs more than computing them twice; it exists to be measured.
 
 use super::{Mapping, block_at, weights_of};
-use crate::lanes::{Backend, Kernel, Lanes, Selected};
+use crate::lanes::{Backend, Kernel, Lanes, SelectedLanes};
 use crate::particles::ParticleSet;
 use std::ops::Range;
 
@@ -11,7 +11,7 @@ use std::ops::Range;
 /// depends on every one of them, so that no compiler leaves them out.
 #[must_use]
 pub(crate) fn weights(
-    lanes: Selected,
+    lanes: SelectedLanes,
     axes: usize,
     stencil: usize,
     set: &ParticleSet,

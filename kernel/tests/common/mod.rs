@@ -3,7 +3,7 @@
 // Every test binary uses a part of this.
 #![allow(dead_code)]
 
-use proctor_kernel::lanes::{LaneChoice, Selected};
+use proctor_kernel::lanes::{LaneChoice, SelectedLanes};
 use proctor_laws::{AnyLaw, LinearElastic, NeoHookean};
 use proctor_scene::simulation::{InitialField, InitialState, Options, Phase, Simulation};
 use proctor_scene::{
@@ -72,14 +72,16 @@ pub fn weightings_and_schemes() -> impl Iterator<Item = (Weighting, StressScheme
 pub fn lanes() -> Vec<LaneChoice> {
     [LaneChoice::Avx512, LaneChoice::Avx2, LaneChoice::Scalar]
         .into_iter()
-        .filter(|choice| Selected::new(*choice).is_ok())
+        .filter(|choice| SelectedLanes::new(*choice).is_ok())
         .collect()
 }
 
 /// The same, and lanes in plain Rust, which every machine has.
-pub fn all_lanes() -> Vec<Selected> {
-    let here = lanes().into_iter().filter_map(|c| Selected::new(c).ok());
-    here.chain([Selected::plain()]).collect()
+pub fn all_lanes() -> Vec<SelectedLanes> {
+    let here = lanes()
+        .into_iter()
+        .filter_map(|c| SelectedLanes::new(c).ok());
+    here.chain([SelectedLanes::plain()]).collect()
 }
 
 /// True if a light node of a linear function can throw particles about, whatever the time step.

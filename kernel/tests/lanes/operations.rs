@@ -1,6 +1,6 @@
 //! All backends agree bit by bit, on ordinary numbers, signed zeros, infinities, NaN and denormals.
 
-use proctor_kernel::lanes::{Backend, Kernel, LaneChoice, Lanes, Quad, Selected};
+use proctor_kernel::lanes::{Backend, Kernel, LaneChoice, Lanes, Quad, SelectedLanes};
 
 /// Every operation on eight pairs of numbers, through the natural vector of the backend.
 struct EveryOperation<'a> {
@@ -68,10 +68,10 @@ fn every_operation<L: Lanes>(a: &[f64; 8], b: &[f64; 8], c: &[f64; 8]) -> Vec<u6
     out
 }
 
-fn available() -> Vec<Selected> {
+fn available() -> Vec<SelectedLanes> {
     [LaneChoice::Avx512, LaneChoice::Avx2, LaneChoice::Scalar]
         .into_iter()
-        .filter_map(|choice| Selected::new(choice).ok())
+        .filter_map(|choice| SelectedLanes::new(choice).ok())
         .collect()
 }
 
@@ -90,7 +90,7 @@ fn numbers(seed: u64, n: usize) -> Vec<f64> {
 }
 
 fn check(a: &[f64; 8], b: &[f64; 8], c: &[f64; 8]) {
-    let expected = Selected::plain().run(EveryOperation { a, b, c });
+    let expected = SelectedLanes::plain().run(EveryOperation { a, b, c });
     for backend in available() {
         let found = backend.run(EveryOperation { a, b, c });
         assert_eq!(
@@ -222,9 +222,9 @@ fn four_rows_of_four_lanes_are_transposed() {
 #[test]
 fn a_missing_backend_is_named() {
     for choice in [LaneChoice::Avx512, LaneChoice::Avx2] {
-        if let Err(error) = Selected::new(choice) {
+        if let Err(error) = SelectedLanes::new(choice) {
             assert!(error.to_string().contains("scalar"), "{error}");
         }
     }
-    assert!(Selected::new(LaneChoice::Auto).is_ok());
+    assert!(SelectedLanes::new(LaneChoice::Auto).is_ok());
 }

@@ -1,7 +1,7 @@
 //! The paths of AVX-512, eight particles at once and lines summed whole, have the bits of the lanes of this machine.
 
 use proctor_kernel::grid::{ActiveRows, GridShape, Line, Nodes};
-use proctor_kernel::lanes::{LaneChoice, Selected};
+use proctor_kernel::lanes::{LaneChoice, SelectedLanes};
 use proctor_kernel::layout::{Layout, Optional};
 use proctor_kernel::particles::ParticleSet;
 use proctor_kernel::sorting::Sorter;
@@ -30,10 +30,10 @@ impl Numbers {
 }
 
 /// The lanes of this machine.
-fn lanes() -> impl Iterator<Item = Selected> {
+fn lanes() -> impl Iterator<Item = SelectedLanes> {
     [LaneChoice::Avx512, LaneChoice::Avx2, LaneChoice::Scalar]
         .into_iter()
-        .filter_map(|choice| Selected::new(choice).ok())
+        .filter_map(|choice| SelectedLanes::new(choice).ok())
 }
 
 fn shape(axes: usize) -> GridShape {
@@ -121,7 +121,7 @@ fn particles(shape: &GridShape, stencil: usize, wanted: Optional, order: Order) 
         std::slice::from_mut(&mut set),
         shape,
         (family(stencil), reach(stencil)),
-        Selected::any(),
+        SelectedLanes::any(),
         &Team::ALONE,
         &mut ActiveRows::default(),
     );
@@ -161,7 +161,7 @@ fn mapping(shape: &GridShape, stencil: usize, set: &ParticleSet) -> Mapping {
 
 /// The nodes after one mapping, which says how many groups it met.
 fn nodes_after(
-    lanes: Selected,
+    lanes: SelectedLanes,
     axes: usize,
     stencil: usize,
     full: bool,
@@ -229,7 +229,7 @@ fn check_sums(axes: usize, stencil: usize, full: bool, carry: Carry) {
 
 fn check_order(axes: usize, stencil: usize, full: bool, carry: Carry, order: Order) {
     let after = |lanes| nodes_after(lanes, axes, stencil, full, carry, order);
-    let whole = after(Selected::plain());
+    let whole = after(SelectedLanes::plain());
     assert!(
         whole.iter().flatten().any(|value| *value != 0.0),
         "nothing was mapped"
@@ -271,7 +271,7 @@ fn a_line_has_the_same_bits_whole_and_by_halves_in_space() {
 
 /// The bits of the particles after one interpolation from nodes with numbers, and what went wrong.
 fn particles_after(
-    lanes: Selected,
+    lanes: SelectedLanes,
     axes: usize,
     stencil: usize,
     law: &AnyLaw,
@@ -286,7 +286,7 @@ fn particles_after(
 
 /// The same as numbers, by a stage of so many nodes per axis.
 fn gathered(
-    lanes: Selected,
+    lanes: SelectedLanes,
     axes: usize,
     [stencil, nodes_of_stage]: [usize; 2],
     law: &AnyLaw,
@@ -380,7 +380,7 @@ fn check_pass(
     order: Order,
 ) {
     let after = |lanes| particles_after(lanes, axes, stencil, law, task, cell_average, order);
-    let (expected, all) = after(Selected::plain());
+    let (expected, all) = after(SelectedLanes::plain());
     // Some particles lie close to the boundary and leave.
     assert!(matches!(all.fault, None | Some((_, FaultKind::Outside))));
     for lanes in lanes() {
@@ -436,7 +436,7 @@ fn two_nodes_of_a_hat_have_the_numbers_of_three() {
             let map = |nodes: usize, p: usize| {
                 let mut lines = Nodes::new(shape.nodes.iter().product());
                 p2g::instance(axes, false, nodes, full, Carry::All)(
-                    Selected::any(),
+                    SelectedLanes::any(),
                     P2g {
                         columns: &set.columns,
                         layout: &set.layout,
@@ -470,7 +470,7 @@ fn two_nodes_of_a_hat_have_the_numbers_of_three() {
             };
             let after = |nodes| {
                 let (columns, _) = gathered(
-                    Selected::any(),
+                    SelectedLanes::any(),
                     axes,
                     [2, nodes],
                     &elastic,

@@ -1,7 +1,7 @@
 //! Modified Cam clay against closed forms, and what must hold of each return.
 
 use crate::laws::support::{DENSITY, close, first_order, numbers};
-use proctor_kernel::lanes::{LaneChoice, Selected};
+use proctor_kernel::lanes::{LaneChoice, SelectedLanes};
 use proctor_laws::{AnyLaw, CamClay, Law, Point};
 
 /// M, slopes of ln v against ln p in first compression and in swelling, Poisson's ratio.
@@ -245,7 +245,7 @@ fn scales_of_two_keep_the_bits() {
 
 #[test]
 fn lanes_have_the_same_bits() {
-    let at_end = |lanes: Selected| {
+    let at_end = |lanes: SelectedLanes| {
         let mut point = pressed(clay(), START).on(lanes);
         for step in 0..40 {
             let e = 1e-4 * f64::from(step % 7);
@@ -256,9 +256,9 @@ fn lanes_have_the_same_bits() {
             .map(f64::to_bits)
             .collect::<Vec<_>>()
     };
-    let reference = at_end(Selected::plain());
+    let reference = at_end(SelectedLanes::plain());
     for choice in [LaneChoice::Scalar, LaneChoice::Avx2, LaneChoice::Avx512] {
-        if let Ok(lanes) = Selected::new(choice) {
+        if let Ok(lanes) = SelectedLanes::new(choice) {
             assert_eq!(at_end(lanes), reference);
         }
     }

@@ -1,7 +1,7 @@
 //! Soil that parts carries nothing until its volume is back.
 
 use crate::laws::support::{DENSITY, close, numbers, point};
-use proctor_kernel::lanes::{LaneChoice, Selected};
+use proctor_kernel::lanes::{LaneChoice, SelectedLanes};
 use proctor_laws::{
     AnyLaw, ConeMatch, DruckerPrager, GAP, LinearElastic, MohrCoulomb, Particle, Point, Softening,
     Tresca, UNDEFORMED,
@@ -257,10 +257,10 @@ fn what_is_afloat_is_no_faster_than_at_rest() {
 #[test]
 fn all_lanes_have_the_same_bits() {
     let lanes = [LaneChoice::Avx512, LaneChoice::Avx2, LaneChoice::Scalar];
-    let lanes: Vec<Selected> = lanes
+    let lanes: Vec<SelectedLanes> = lanes
         .into_iter()
-        .filter_map(|choice| Selected::new(choice).ok())
-        .chain([Selected::plain()])
+        .filter_map(|choice| SelectedLanes::new(choice).ok())
+        .chain([SelectedLanes::plain()])
         .collect();
     let softens = MohrCoulomb::new(YOUNG, POISSON, [30.0, 1e3, 10.0]).softening(
         Softening::Exponential { eta: 3.0 },

@@ -2,7 +2,7 @@
 
 use crate::laws::support::{DENSITY, close, midpoint, numbers, point, shear, strain, uniaxial};
 use nalgebra::{Matrix3, Rotation3, SymmetricEigen, Vector3};
-use proctor_kernel::lanes::{Backend, Kernel, LaneChoice, Lanes, Selected};
+use proctor_kernel::lanes::{Backend, Kernel, LaneChoice, Lanes, SelectedLanes};
 use proctor_laws::tensor::{Configuration, determinant};
 use proctor_laws::{AnyLaw, Hencky, Increment, Law, Stress};
 
@@ -49,7 +49,7 @@ impl<const D: usize> Kernel for Of<D> {
 
 /// The same, the stress as a matrix.
 fn of(axes: usize, f: Matrix3<f64>) -> (Matrix3<f64>, f64) {
-    let lanes = Selected::any();
+    let lanes = SelectedLanes::any();
     let (s, square) = if axes == 2 {
         let (s, square) = lanes.run(Of::<2>(f));
         ([s[0], s[1], s[2], 0.0, 0.0, s[3]], square)
@@ -241,17 +241,17 @@ fn acoustic(axes: usize, f: &Matrix3<f64>, n: &Vector3<f64>) -> f64 {
 #[test]
 fn all_lanes_have_the_same_bits() {
     let lanes = [LaneChoice::Avx512, LaneChoice::Avx2, LaneChoice::Scalar];
-    let lanes: Vec<Selected> = lanes
+    let lanes: Vec<SelectedLanes> = lanes
         .into_iter()
-        .filter_map(|choice| Selected::new(choice).ok())
-        .chain([Selected::plain()])
+        .filter_map(|choice| SelectedLanes::new(choice).ok())
+        .chain([SelectedLanes::plain()])
         .collect();
     for f in deformations(2, 0.4) {
-        let bits = |lanes: &Selected| lanes.run(Of::<2>(f)).0.map(f64::to_bits);
+        let bits = |lanes: &SelectedLanes| lanes.run(Of::<2>(f)).0.map(f64::to_bits);
         assert!(lanes.iter().all(|other| bits(other) == bits(&lanes[0])));
     }
     for f in deformations(3, 0.4) {
-        let bits = |lanes: &Selected| lanes.run(Of::<3>(f)).0.map(f64::to_bits);
+        let bits = |lanes: &SelectedLanes| lanes.run(Of::<3>(f)).0.map(f64::to_bits);
         assert!(lanes.iter().all(|other| bits(other) == bits(&lanes[0])));
     }
 }

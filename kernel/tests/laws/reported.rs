@@ -15,7 +15,7 @@
 use crate::laws::returned::laws;
 use crate::laws::support::{DENSITY, close, point, shear, strain, tensor};
 use nalgebra::{Matrix3, Rotation3, Vector3};
-use proctor_kernel::lanes::{LaneChoice, Selected};
+use proctor_kernel::lanes::{LaneChoice, SelectedLanes};
 use proctor_laws::{
     AnyLaw, ConeMatch, DruckerPrager, EquationOfState, LinearElastic, MohrCoulomb, Newtonian,
     Point, Tresca,
@@ -98,10 +98,10 @@ fn the_middle_stress_moves_where_tension_is_cut_off() {
 #[test]
 fn round_off_decides_nothing() {
     let lanes = [LaneChoice::Avx512, LaneChoice::Avx2, LaneChoice::Scalar];
-    let lanes: Vec<Selected> = lanes
+    let lanes: Vec<SelectedLanes> = lanes
         .into_iter()
-        .filter_map(|choice| Selected::new(choice).ok())
-        .chain([Selected::plain()])
+        .filter_map(|choice| SelectedLanes::new(choice).ok())
+        .chain([SelectedLanes::plain()])
         .collect();
     let laws: [AnyLaw; 3] = [
         Tresca::new(YOUNG, POISSON, 1.0).into(),

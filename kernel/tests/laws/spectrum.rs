@@ -3,7 +3,7 @@
 use crate::common::all_lanes;
 use crate::laws::support::{numbers, tensor};
 use nalgebra::{Matrix3, Rotation3, Vector3};
-use proctor_kernel::lanes::{Backend, Kernel, Lanes, Selected};
+use proctor_kernel::lanes::{Backend, Kernel, Lanes, SelectedLanes};
 use proctor_laws::functions;
 use proctor_laws::principal::spectrum;
 
@@ -116,8 +116,8 @@ fn a_plane_stress_has_the_spectrum_of_space() {
         for scale in [1.0, 1e-200, 1e150] {
             let flat = [xx, yy, zz, xy, 0.0, 0.0].map(|x| x * scale);
             let full = [xx, yy, zz, 0.0, 0.0, xy].map(|x| x * scale);
-            let (values, squares) = Selected::any().run(Of::<2>(flat));
-            let (exact, _) = Selected::any().run(Of::<3>(full));
+            let (values, squares) = SelectedLanes::any().run(Of::<2>(flat));
+            let (exact, _) = SelectedLanes::any().run(Of::<3>(full));
             for (value, exact) in values.iter().zip(exact) {
                 assert!(
                     (value - exact).abs() <= 8e-15 * scale,
@@ -161,7 +161,7 @@ fn functions_of_lanes_are_those_of_a_library() {
         arguments.extend([next(), 30.0 * next(), 700.0 * next()]);
     }
     for x in arguments {
-        let found = Selected::any().run(Functions(x));
+        let found = SelectedLanes::any().run(Functions(x));
         for lanes in all_lanes() {
             assert_eq!(
                 lanes.run(Functions(x)).map(f64::to_bits),
@@ -183,7 +183,7 @@ fn functions_of_lanes_are_those_of_a_library() {
     for _ in 0..2000 {
         let (near, far) = (1.0 + 1e-3 * next(), (700.0 * next()).exp());
         for x in [near, far, 1.0 + next().abs(), 1.0 + 1e-9 * next()] {
-            let (found, exact) = (Selected::any().run(Functions(x))[3], libm::log(x));
+            let (found, exact) = (SelectedLanes::any().run(Functions(x))[3], libm::log(x));
             for lanes in all_lanes() {
                 let same = lanes.run(Functions(x))[3];
                 assert_eq!(same.to_bits(), found.to_bits(), "{x}");
@@ -194,7 +194,7 @@ fn functions_of_lanes_are_those_of_a_library() {
             );
         }
     }
-    let ln = |x: f64| Selected::any().run(Functions(x))[3];
+    let ln = |x: f64| SelectedLanes::any().run(Functions(x))[3];
     assert_eq!(
         (ln(1.0), ln(0.0), ln(-1.0)),
         (0.0, ln(f64::MIN_POSITIVE), ln(0.0))
@@ -202,7 +202,7 @@ fn functions_of_lanes_are_those_of_a_library() {
     assert!((ln(f64::MIN_POSITIVE) - libm::log(f64::MIN_POSITIVE)).abs() < 2e-13);
     assert!((ln(f64::INFINITY) - libm::log(f64::MAX)).abs() < 2e-13);
     assert!(ln(f64::NAN).is_nan());
-    let far = |x: f64| Selected::any().run(Functions(x))[0];
+    let far = |x: f64| SelectedLanes::any().run(Functions(x))[0];
     assert_eq!((far(1e9), far(-1e9)), (far(708.0), far(-708.0)));
     assert!(far(f64::NAN).is_nan());
 }

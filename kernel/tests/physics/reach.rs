@@ -3,7 +3,7 @@
 use proctor_contact::pairs::Pair;
 use proctor_contact::pairs::broad::{near, reach};
 use proctor_kernel::grid::{ActiveRows, GridShape};
-use proctor_kernel::lanes::Selected;
+use proctor_kernel::lanes::SelectedLanes;
 use proctor_kernel::layout::{Layout, Optional};
 use proctor_kernel::particles::ParticleSet;
 use proctor_kernel::sorting::Sorter;
@@ -36,7 +36,7 @@ fn body(at: [f64; 3], shape: &GridShape, stencil: usize) -> ParticleSet {
         std::slice::from_mut(&mut set),
         shape,
         (Family::Gimp, stencil),
-        Selected::any(),
+        SelectedLanes::any(),
         &Team::ALONE,
         &mut ActiveRows::default(),
     );

@@ -2,7 +2,7 @@
 
 use crate::common::{WEIGHTINGS, mesh};
 use proctor_kernel::grid::{ActiveRows, GridShape, Nodes};
-use proctor_kernel::lanes::Selected;
+use proctor_kernel::lanes::SelectedLanes;
 use proctor_kernel::layout::{Layout, Optional};
 use proctor_kernel::particles::ParticleSet;
 use proctor_kernel::sorting::Sorter;
@@ -94,7 +94,7 @@ fn check(
         std::slice::from_mut(&mut set),
         &shape,
         (family, stencil),
-        Selected::any(),
+        SelectedLanes::any(),
         &Team::ALONE,
         &mut ActiveRows::default(),
     );
@@ -103,7 +103,7 @@ fn check(
     let layers = shape.bases()[0];
     let viscous_rate = if full { 0.5 } else { 0.0 };
     p2g::instance(axes, false, family.stage_nodes(stencil), full, Carry::All)(
-        Selected::any(),
+        SelectedLanes::any(),
         P2g {
             columns: &set.columns,
             layout: &set.layout,

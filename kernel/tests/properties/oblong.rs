@@ -5,7 +5,7 @@ use crate::common::{
     simulation, simulation_from, weightings_and_schemes,
 };
 use proctor_kernel::grid::{ActiveRows, GridShape, Nodes};
-use proctor_kernel::lanes::Selected;
+use proctor_kernel::lanes::SelectedLanes;
 use proctor_kernel::layout::{Layout, Optional};
 use proctor_kernel::particles::ParticleSet;
 use proctor_kernel::sorting::Sorter;
@@ -179,7 +179,7 @@ fn the_mass_gradient_has_the_moment_of_the_mass() {
                 std::slice::from_mut(&mut set),
                 &shape,
                 (Family::Gimp, stencil),
-                Selected::any(),
+                SelectedLanes::any(),
                 &Team::ALONE,
                 &mut ActiveRows::default(),
             );
@@ -187,7 +187,7 @@ fn the_mass_gradient_has_the_moment_of_the_mass() {
             let mapping = Mapping::new(&shape, Family::Gimp, [half_length; 3], None);
             let mut nodes = Nodes::new(shape.nodes.iter().product());
             p2g::instance(axes, false, stencil, false, Carry::MassGradient)(
-                Selected::any(),
+                SelectedLanes::any(),
                 P2g {
                     columns: &set.columns,
                     layout: &set.layout,

@@ -1,7 +1,7 @@
 //! Particles are kept in order of their base cells, whatever the threads, the lanes and the share of empty cells.
 
 use proctor_kernel::grid::{ActiveRows, GridShape};
-use proctor_kernel::lanes::{LaneChoice, Selected};
+use proctor_kernel::lanes::{LaneChoice, SelectedLanes};
 use proctor_kernel::layout::{Layout, Optional};
 use proctor_kernel::particles::ParticleSet;
 use proctor_kernel::sorting::{Sorter, rows_of};
@@ -81,7 +81,7 @@ proptest! {
         let mut first: Option<Vec<ParticleSet>> = None;
         for (threads, lanes) in [(1, LaneChoice::Scalar), (1, LaneChoice::Auto), (2, LaneChoice::Auto), (3, LaneChoice::Auto)] {
             let team = Team::new(threads).expect("threads");
-            let lanes = Selected::new(lanes).expect("lanes");
+            let lanes = SelectedLanes::new(lanes).expect("lanes");
             let mut sorter = Sorter::default();
             let mut sets = given.to_vec();
             for remap in [false, true] {

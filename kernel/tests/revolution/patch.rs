@@ -2,7 +2,7 @@
 
 use crate::common::mesh;
 use proctor_kernel::grid::{ActiveRows, GHOSTS_BELOW, GridShape, Nodes};
-use proctor_kernel::lanes::Selected;
+use proctor_kernel::lanes::SelectedLanes;
 use proctor_kernel::layout::{Layout, Optional};
 use proctor_kernel::particles::ParticleSet;
 use proctor_kernel::sorting::Sorter;
@@ -61,7 +61,7 @@ fn force_inside(mut set: ParticleSet, stencil: usize, full: bool) -> f64 {
         std::slice::from_mut(&mut set),
         &shape,
         (Family::Gimp, stencil),
-        Selected::any(),
+        SelectedLanes::any(),
         &Team::ALONE,
         &mut ActiveRows::default(),
     );
@@ -70,7 +70,7 @@ fn force_inside(mut set: ParticleSet, stencil: usize, full: bool) -> f64 {
     let mut nodes = Nodes::new(shape.nodes.iter().product());
     let layers = shape.bases()[0];
     p2g::instance(2, true, stencil, full, Carry::All)(
-        Selected::any(),
+        SelectedLanes::any(),
         P2g {
             columns: &set.columns,
             layout: &set.layout,

@@ -3,7 +3,7 @@
 use crate::surface::slide::{raise, start};
 use crate::surface::slope::{H, Slope, dot};
 use proctor_contact::surfaces::touch::{SurfaceTouch, SurfaceTouches, TouchedNode};
-use proctor_kernel::lanes::Selected;
+use proctor_kernel::lanes::SelectedLanes;
 use proctor_scene::{Scene, StressScheme};
 
 /// A body at rest that was pressed into a slope without friction, and how deep \[m\].
@@ -62,7 +62,7 @@ fn a_penalty_force_adds_nothing_where_contact_presses_more() {
             normal_impulse: 0.0,
             tangential_impulse: [0.0; 3],
         });
-        touches.resolve(Selected::any(), 1e-12, 50);
+        touches.resolve(SelectedLanes::any(), 1e-12, 50);
         let given = touches.nodes[0].change[2];
         assert!((touches.list[0].normal_impulse - expected).abs() < 1e-15);
         assert!(

@@ -30,7 +30,7 @@
 //! slides, parts of it slip backwards or stick, and the friction of the whole is a little less than mu N.
 
 use proctor_kernel::grid::Line;
-use proctor_kernel::lanes::{Backend, Kernel, Lanes, Selected};
+use proctor_kernel::lanes::{Backend, Kernel, Lanes, SelectedLanes};
 use std::ops::Range;
 
 /// A node that touching particles reach.
@@ -161,7 +161,7 @@ impl SurfaceTouches {
     /// Finds the impulses of all touches, from those that they have; returns the number of sweeps. Sweeps end when none changes a
     /// velocity by more than `tolerance` times the largest that an impulse gave before or in the first sweep, or after `most`. Where
     /// penalty forces act beside them, they go on from there, for as many again.
-    pub fn resolve(&mut self, lanes: Selected, tolerance: f64, most: usize) -> usize {
+    pub fn resolve(&mut self, lanes: SelectedLanes, tolerance: f64, most: usize) -> usize {
         for touch in self.list.iter_mut().filter(|t| t.penalty > 0.0) {
             touch.floor = 0.0;
         }
@@ -228,7 +228,7 @@ impl SurfaceTouches {
     }
 
     /// Sweeps with a tolerance and the largest velocity that an impulse gave before them \[m/s\].
-    fn sweep(&mut self, lanes: Selected, [tolerance, scale]: [f64; 2], most: usize) -> usize {
+    fn sweep(&mut self, lanes: SelectedLanes, [tolerance, scale]: [f64; 2], most: usize) -> usize {
         lanes.run(Sweeps {
             list: &mut self.list,
             responses: &self.responses,
@@ -247,7 +247,7 @@ impl SurfaceTouches {
     /// `line` gives a node after the damped solve. Returns what damping takes by this beyond what it took before \[J\].
     pub fn resolve_damped<'a>(
         &mut self,
-        lanes: Selected,
+        lanes: SelectedLanes,
         line: impl Fn(&TouchedNode) -> &'a Line,
         alpha: f64,
         tolerance: f64,

@@ -20,7 +20,7 @@ use proctor_geometry::bodies::{FillError, FilledBody, HalfLength, MemoryRoom, fi
 use proctor_geometry::memory::Memory;
 use proctor_geometry::team::Team;
 use proctor_kernel::grid::GridShape;
-use proctor_kernel::lanes::Selected;
+use proctor_kernel::lanes::SelectedLanes;
 use proctor_kernel::laws::Particle;
 use proctor_kernel::layout::Layout;
 use proctor_kernel::model::{BoxLoad, Shape, Weighting};
@@ -48,7 +48,7 @@ pub(crate) fn set_up(scene: &Scene, options: &Options) -> Result<Cycle, SetupErr
     };
     let plan = plan(scene, demands);
     let settings = scene.settings();
-    let lanes = Selected::new(options.lanes).map_err(SetupError::Lanes)?;
+    let lanes = SelectedLanes::new(options.lanes).map_err(SetupError::Lanes)?;
     let shape = GridShape::new(&scene.mesh, scene.dimension);
     let mut memory = options.memory.unwrap_or_else(Memory::of_machine);
     let bases: u128 = shape.bases().iter().map(|&n| n as u128).product();

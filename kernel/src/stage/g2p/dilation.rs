@@ -6,7 +6,7 @@
 
 use super::reach::{Bases, BlockReach, MOST};
 use crate::grid::Line;
-use crate::lanes::{Backend, Kernel, Lanes, Selected};
+use crate::lanes::{Backend, Kernel, Lanes, SelectedLanes};
 use crate::laws::{Gradients, MOST_LANES};
 use crate::layout::Layout;
 use crate::stage::{Mapping, block_at, weights_of};
@@ -16,7 +16,7 @@ use crate::weights::cell_mean_weights;
 /// `found`. `upper` takes the velocities of the upper lanes of the nodes.
 #[expect(clippy::too_many_arguments)]
 pub fn excess(
-    lanes: Selected,
+    lanes: SelectedLanes,
     stencil: usize,
     columns: &[&mut [f64]],
     layout: &Layout,

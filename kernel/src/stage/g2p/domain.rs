@@ -1,6 +1,6 @@
 //! The particle domains of cpGIMP after a strain increment.
 
-use crate::lanes::{Backend, Kernel, Lanes, Selected, functions, load, store};
+use crate::lanes::{Backend, Kernel, Lanes, SelectedLanes, functions, load, store};
 use crate::laws::tensor::{Matrix, determinant, left_stretch_diagonal, stretch_diagonal};
 use crate::layout::Layout;
 use crate::model::DomainUpdate;
@@ -13,7 +13,7 @@ const NO_MEAN: f64 = 1e-10;
 /// Half-lengths of the domains of some particles after their deformation gradient; the largest, in cells. Where the law parts
 /// (`parts`), the domain of a particle without pressure does not grow: what opens there is a gap.
 pub(super) fn follow(
-    lanes: Selected,
+    lanes: SelectedLanes,
     update: DomainUpdate,
     parts: bool,
     columns: &mut [&mut [f64]],

@@ -16,7 +16,7 @@ mod water;
 
 use super::{Mapping, block_at};
 use crate::grid::Line;
-use crate::lanes::{Backend, Kernel, Lanes, Quad, Selected};
+use crate::lanes::{Backend, Kernel, Lanes, Quad, SelectedLanes};
 use crate::laws::tensor::Configuration;
 use crate::laws::{BLOCK, Block, Gradients, Strain};
 use crate::layout::Layout;
@@ -63,7 +63,7 @@ pub enum Affine {
 /// One call: some particles of a set, in layers.
 pub struct G2p<'a, 'b> {
     /// Lanes of the law.
-    pub lanes: Selected,
+    pub lanes: SelectedLanes,
     /// Columns of these particles.
     pub columns: &'a mut [&'b mut [f64]],
     /// Layout of the columns.
@@ -136,7 +136,7 @@ impl ParticleMaxima {
 }
 
 /// An interpolation stage, compiled for one dimension, stencil and set of sums.
-pub(crate) type G2pFn = fn(Selected, G2p<'_, '_>) -> ParticleMaxima;
+pub(crate) type G2pFn = fn(SelectedLanes, G2p<'_, '_>) -> ParticleMaxima;
 
 /// Chooses the instance for a task: axes, whether the first of two is a radius, nodes per axis
 /// ([`Family::stage_nodes`](crate::weights::Family::stage_nodes)).
@@ -189,7 +189,7 @@ fn entry<
     const MOVE: bool,
     const RADIAL: bool,
 >(
-    lanes: Selected,
+    lanes: SelectedLanes,
     call: G2p<'_, '_>,
 ) -> ParticleMaxima {
     lanes.run(Instance::<

@@ -5,7 +5,7 @@
 
 use super::reach::{Bases, BlockReach, MOST, Rows};
 use crate::grid::Line;
-use crate::lanes::{Backend, Kernel, Lanes, Selected, load, store};
+use crate::lanes::{Backend, Kernel, Lanes, SelectedLanes, load, store};
 use crate::layout::Layout;
 use crate::model::{POROSITIES, PoreWater};
 use crate::stage::{Block, Mapping, block_at, weights_of};
@@ -42,7 +42,7 @@ pub(crate) struct WaterG2p<'a, 'b> {
 impl WaterG2p<'_, '_> {
     /// Gathers from so many nodes per axis; whether all particles whose pressure changes have a porosity of [`POROSITIES`].
     #[must_use]
-    pub(crate) fn run(self, lanes: Selected, axes: usize, stencil: usize) -> bool {
+    pub(crate) fn run(self, lanes: SelectedLanes, axes: usize, stencil: usize) -> bool {
         match (axes, stencil) {
             (2, 4) => lanes.run(Instance::<'_, '_, 2, 4>(self)),
             (2, _) => lanes.run(Instance::<'_, '_, 2, 3>(self)),

@@ -17,7 +17,7 @@ mod water;
 
 use super::{Block, Mapping, block_at};
 use crate::grid::Line;
-use crate::lanes::{Backend, Kernel, Selected};
+use crate::lanes::{Backend, Kernel, SelectedLanes};
 use crate::layout::Layout;
 use crate::model::PoreWater;
 use crate::weights::Family;
@@ -102,7 +102,7 @@ const INVERSE_INERTIA: f64 = 4.0;
 
 /// A mapping stage, compiled for one dimension, stencil and set of terms. Returns the number of groups in the
 /// layers that the caller owns.
-pub(crate) type P2gFn = fn(Selected, P2g<'_>) -> usize;
+pub(crate) type P2gFn = fn(SelectedLanes, P2g<'_>) -> usize;
 
 /// Chooses the instance: axes, whether the first of two is a radius, nodes per axis
 /// ([`Family::stage_nodes`](crate::weights::Family::stage_nodes)), whether particles carry affine velocity or forces of
@@ -187,7 +187,7 @@ fn entry<
     const GRADIENT: bool,
     const EXTRA: u8,
 >(
-    lanes: Selected,
+    lanes: SelectedLanes,
     call: P2g<'_>,
 ) -> usize {
     lanes.run(Instance::<'_, D, N, FULL, GRADIENT, EXTRA>(call))

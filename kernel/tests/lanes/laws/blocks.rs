@@ -1,6 +1,6 @@
 //! Blocks of particles have the same bits for all lanes, and internal variables follow their particles.
 
-use proctor_kernel::lanes::{LaneChoice, Lanes, Selected};
+use proctor_kernel::lanes::{LaneChoice, Lanes, SelectedLanes};
 use proctor_kernel::layout::{Layout, Optional, Variable};
 use proctor_kernel::particles::ParticleSet;
 use proctor_laws::tensor::Configuration;
@@ -125,10 +125,10 @@ fn strained<M: Law>(
 fn check<M: Law>(law: &M) {
     use proctor_laws::Strain;
     for axes in [2, 3] {
-        let whole = strained::<M>(axes, &|block| law.strain(Selected::plain(), block));
+        let whole = strained::<M>(axes, &|block| law.strain(SelectedLanes::plain(), block));
         assert!(whole.1.fault.is_none() && whole.1.speed_squared > 0.0);
         for choice in [LaneChoice::Avx512, LaneChoice::Avx2, LaneChoice::Scalar] {
-            let Ok(lanes) = Selected::new(choice) else {
+            let Ok(lanes) = SelectedLanes::new(choice) else {
                 continue;
             };
             let found = strained::<M>(axes, &|block| law.strain(lanes, block));
@@ -189,7 +189,7 @@ fn internal_variables_begin_and_go_on_as_their_law_says() {
     let layout = set.layout;
     let mut columns: Vec<&mut [f64]> = set.columns.iter_mut().map(Vec::as_mut_slice).collect();
     law.strain(
-        Selected::any(),
+        SelectedLanes::any(),
         Block {
             columns: &mut columns,
             layout: &layout,

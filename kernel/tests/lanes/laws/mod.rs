@@ -1,7 +1,7 @@
 //! Stress and deformation updates against exact solutions and against nalgebra.
 
 use nalgebra::{Matrix3, Rotation3, Vector3};
-use proctor_kernel::lanes::{Backend, Kernel, Lanes, Selected};
+use proctor_kernel::lanes::{Backend, Kernel, Lanes, SelectedLanes};
 use proctor_laws::tensor::{Configuration, Matrix};
 use proctor_laws::tensor::{
     determinant, inverse, left_stretch_diagonal, relative_deformation, stretch_diagonal,
@@ -88,9 +88,9 @@ impl<M: Law, const D: usize> Kernel for Call<M, D> {
 
 fn call<M: Law>(axes: usize, law: M, matrix: Matrix3<f64>, what: LaneResult) -> Vec<f64> {
     if axes == 2 {
-        Selected::any().run(Call::<M, 2> { law, matrix, what })
+        SelectedLanes::any().run(Call::<M, 2> { law, matrix, what })
     } else {
-        Selected::any().run(Call::<M, 3> { law, matrix, what })
+        SelectedLanes::any().run(Call::<M, 3> { law, matrix, what })
     }
 }
 

@@ -6,7 +6,7 @@ use proctor_laws::Point;
 use crate::cases::prelude::*;
 use crate::random::Random;
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion};
-use proctor_kernel::lanes::{LaneChoice, Selected};
+use proctor_kernel::lanes::{LaneChoice, SelectedLanes};
 
 const STRENGTH: f64 = 1.0; // Strength of the laws [Pa]: yield stress, cohesion
 const SPREAD: f64 = 6.0; // States are so many times the strength at most
@@ -121,7 +121,7 @@ fn six(s: &Matrix3<f64>) -> [f64; 6] {
 }
 
 /// The point after a step without strain from a stress.
-fn returned(law: &AnyLaw, lanes: Option<Selected>, stress: [f64; 6]) -> Result<Point, String> {
+fn returned(law: &AnyLaw, lanes: Option<SelectedLanes>, stress: [f64; 6]) -> Result<Point, String> {
     let mut point = Point::new(law, DENSITY, stress);
     if let Some(lanes) = lanes {
         point = point.on(lanes);
@@ -170,9 +170,9 @@ pub(super) fn quantities(
     strength: f64,
     progress: &mut dyn FnMut(f64),
 ) -> Result<Vec<Quantity>, String> {
-    let lanes: Vec<Selected> = [LaneChoice::Avx512, LaneChoice::Avx2, LaneChoice::Scalar]
+    let lanes: Vec<SelectedLanes> = [LaneChoice::Avx512, LaneChoice::Avx2, LaneChoice::Scalar]
         .into_iter()
-        .filter_map(|choice| Selected::new(choice).ok())
+        .filter_map(|choice| SelectedLanes::new(choice).ok())
         .collect();
     let mut random = Random::new(SEED);
     let mut number = move || 2.0 * random.unit() - 1.0;

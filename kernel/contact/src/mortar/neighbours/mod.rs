@@ -22,7 +22,7 @@ use nalgebra::SMatrix;
 use near_bases::{Bases, NearBases};
 use proctor_geometry::team::{ItemCost, Team};
 use proctor_kernel::grid::{GridShape, Line};
-use proctor_kernel::lanes::Selected;
+use proctor_kernel::lanes::SelectedLanes;
 use proctor_kernel::layout::Layout;
 use proctor_kernel::particles::ParticleSet;
 use proctor_kernel::simulation::BodyRun;
@@ -35,7 +35,7 @@ const LEAST_SHARE: usize = 1 << 8;
 #[derive(Clone, Debug)]
 pub(super) struct NeighbourParticles<const D: usize> {
     /// Lanes of the simulation.
-    lanes: Selected,
+    lanes: SelectedLanes,
     /// Place of each node of the grid in `hosts`, plus one; zero for nodes that no vertex hangs on.
     slots: Vec<u32>,
     hosts: Vec<HostNode<D>>,
@@ -110,7 +110,7 @@ fn as_matrix<const D: usize>(columns: &HalfLineColumns<D>) -> SMatrix<f64, D, D>
 impl<const D: usize> Default for NeighbourParticles<D> {
     fn default() -> Self {
         Self {
-            lanes: Selected::plain(),
+            lanes: SelectedLanes::plain(),
             slots: vec![],
             hosts: vec![],
             particles: vec![],
@@ -135,7 +135,7 @@ impl<const D: usize> NeighbourParticles<D> {
         shape: &GridShape,
         mirrors: &Mirrors,
         stencil: usize,
-        (lanes, team): (Selected, &Team),
+        (lanes, team): (SelectedLanes, &Team),
     ) {
         self.lanes = lanes;
         if self.rows.len() * stencil != self.stencil.len() || self.stencil.is_empty() {
