@@ -67,7 +67,7 @@ pub struct P2g<'a> {
     pub carry: Carry,
     /// Rate of viscous damping, f = -rate m v \[1/s\] (Liang et al. 2024, eq. 20); 0 for none.
     pub viscous_rate: f64,
-    /// The water in the pores, for an [instance of water](water_instance).
+    /// The water in the pores, where it is mapped.
     pub water: Option<&'a PoreWater>,
 }
 
