@@ -4,8 +4,10 @@
 //! itself, against the velocity. With the angle theta of the wave to the normal, `s = c_s/c_p` and `sin theta_s = s sin theta`,
 //! the amplitudes A of the compression and B of the shear that go back follow from both components of the traction:
 //!
-//!     (1 - 2 s² sin² theta + cos theta) A - (s sin 2 theta_s + sin theta_s) B = -(1 - 2 s² sin² theta) + cos theta
-//!     -(s² sin 2 theta + s sin theta) A - (s cos 2 theta_s + s cos theta_s) B = -s² sin 2 theta + s sin theta
+//! ```text
+//! (1 - 2 s² sin² theta + cos theta) A - (s sin 2 theta_s + sin theta_s) B = -(1 - 2 s² sin² theta) + cos theta
+//! -(s² sin 2 theta + s sin theta) A - (s cos 2 theta_s + s cos theta_s) B = -s² sin 2 theta + s sin theta
+//! ```
 //!
 //! The share of the energy that goes back is `A² + B² s cos theta_s/cos theta`: 0 at normal incidence.
 
