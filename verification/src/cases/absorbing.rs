@@ -344,9 +344,10 @@ fn of_beam(run: Run<'_>) -> Result<Measurements, Failure> {
     let Some((angle, ..)) = beam(run.rung) else {
         return Err("a rung without a beam".into());
     };
-    let before = stored(simulation);
     run_until(simulation, simulation.scene().time, run.observer, |_| ())?;
-    let found = stored(simulation) / before;
+    // The transfer takes energy of both ways; its share is in neither sum.
+    let left = stored(simulation);
+    let found = left / (left + simulation.energy().absorbed);
     let dashpots = Dashpots {
         poisson: POISSON,
         rates: [1.0; 2],
