@@ -367,7 +367,7 @@ fn a_case_that_solvers_cannot_run_says_why() {
     let (exit, text, _) = precision(&desk, "hertz", &same);
     assert_eq!(exit, 0, "{text}");
     assert!(
-        text.contains("not for other solvers: what is known exactly is the pressure"),
+        text.contains("not for other solvers: only the pressure of the contact is known"),
         "{text}"
     );
 }
