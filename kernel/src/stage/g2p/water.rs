@@ -146,7 +146,8 @@ fn gather<L: Lanes, const D: usize, const N: usize, const R: usize>(
     let change = L::splat(water.bulk * dt) / porosity * divergence;
     let pressure = load::<L>(column, at, count) - change;
     store(pressure, column, at, count);
-    let [low, high] = POROSITIES.map(L::splat);
+    // One by one: what `map` calls is not always inlined, and then compiled without the lanes.
+    let [low, high] = [L::splat(POROSITIES[0]), L::splat(POROSITIES[1])];
     let sound = L::bits(low.lt(porosity)) & L::bits(porosity.lt(high));
     !sound & L::bits(L::first(count)) == 0
 }
