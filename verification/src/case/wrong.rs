@@ -46,7 +46,7 @@ impl Wrong {
         self
     }
 
-    /// The same, which must break certain gates and no other.
+    /// This wrong reference, which must break certain gates and no other.
     #[must_use]
     pub const fn breaks_only(mut self, gates: fn(&str) -> bool) -> Self {
         self.breaks = gates;
