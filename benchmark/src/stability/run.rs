@@ -11,7 +11,7 @@ use proctor_verification::stability::nonlinear::{self, Limit, Nonlinear};
 use proctor_verification::stability::round::{self, RoundChoice, RoundEntry};
 use proctor_verification::stability::{StabilityError, table};
 
-/// Amount of work that is asked for.
+/// Amount of work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MapRequest {
     /// The plane with two particles per cell and axis, and the default method where nothing is linear: for the main job.

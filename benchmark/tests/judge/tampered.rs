@@ -35,7 +35,7 @@ fn is_gate(row: &Row) -> bool {
     matches!(&row.kind, Kind::Aggregate { name } if name == "gate")
 }
 
-/// Checks that a copy is not fine, with words that are said of it.
+/// Checks that a copy is not fine, with these words.
 fn not_fine(head: &Record, verdict: Verdict, words: &str) {
     not_fine_against(kept(), head, verdict, words);
 }

@@ -256,7 +256,7 @@ impl SlabInteraction for SharedPart<'_> {
 }
 
 impl<'a> SlabPart<'a> {
-    /// Slab part of an action with its own memory, which is asked for in each visit.
+    /// Slab part of an action with its own memory, which each visit requests.
     #[must_use]
     pub fn own(part: impl SlabInteraction + 'a) -> Self {
         Self(OfSlab::Own(Box::new(part)))

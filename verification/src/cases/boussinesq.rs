@@ -26,7 +26,7 @@ const RESIDUAL: &str = "residual"; // Name of the static residual
 
 /// Residual at which the relaxation stops; the gate is [`RESIDUAL_GATE`].
 const RESIDUAL_TARGET: f64 = 0.8e-8;
-/// Residual at which it stops with chosen settings: a hundredth of the finest error whose cost is asked for, 0.1 %.
+/// Residual at which it stops with chosen settings: a hundredth of the finest error whose cost a study looks for, 0.1 %.
 const RESIDUAL_STUDIED: f64 = 1e-5;
 const RESIDUAL_GATE: f64 = 1e-8; // Largest unbalanced force over load
 const ORDER_GATE: f64 = 1.7; // Least observed order of the L2 error

@@ -149,7 +149,7 @@ mod tests {
         assert_eq!(last_lines(&path).lines, ["Error: the mesh is empty"]);
         std::fs::write(&path, text.replace("Error", "Note")).expect("written");
         assert_eq!(last_lines(&path).lines.len(), LINES);
-        // What else is said has nothing to do with the error.
+        // The rest of the output has nothing to do with the error.
         let [errors, output] = OUTPUTS.map(|(name, _)| folder.path().join(name));
         std::fs::write(&output, "Devices: one\n").expect("written");
         let told = |text: &str| {
