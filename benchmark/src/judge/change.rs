@@ -292,7 +292,7 @@ pub fn in_bars(change: &Change, base: &Series) -> Option<f64> {
     (bar > 0.0 && from != to).then(|| (to - from).abs() / bar)
 }
 
-/// True if a gate lies on the right side of its bound; `None` for what is no gate. One without a value does not.
+/// True if a gate lies on the right side of its bound; `None` for a row that is no gate. A gate without a value does not.
 #[must_use]
 pub fn gate_holds(series: &Series) -> Option<bool> {
     let bound = Better::Neither.worst(series.counters.get(GATE_BOUND)?);

@@ -12,9 +12,9 @@
 //! A run on one thread computes and waits for nothing: its time on the processors is its time, and both rules judge it.
 //! With more threads the clock decides. The other of the two times is judged by the first rule alone.
 //!
-//! A time for which neither rule shows a change is not yet the same. It is where a loss of a tenth would have been shown in
-//! nine of ten such measurements, and where the sides lie no farther apart than that; otherwise nothing can be said, which is
-//! not green.
+//! A time for which neither rule shows a change is not yet the same. Two conditions make it the same: nine of ten such
+//! measurements would have shown a loss of a tenth, and the two sides differ by less than a tenth. Otherwise the verdict is
+//! open, which is not green.
 
 use crate::record::Series;
 use crate::statistics::{mann_whitney, median, ratio_interval, signed_rank};

@@ -323,7 +323,7 @@ fn nearest(list: &[FrameFile], time: f64) -> usize {
         .unwrap_or(0)
 }
 
-/// Refuses to revolve what is no half of a section.
+/// Refuses to revolve a run that is not axisymmetric.
 fn check_axis(folder: &Path, summary: Option<&Summary>) -> Result<(), String> {
     let mesh = summary.and_then(|summary| summary.mesh.as_ref());
     let found = match mesh {

@@ -29,7 +29,7 @@ const PICTURE: &str = "stability.svg";
 ///
 /// Predicted from the linear part of the kernel's own step, measured by runs with noise that close in on the limit, for
 /// every weighting function, scheme and transfer, one to four particles per cell and axis, blocks, thin bodies and single
-/// particles at nineteen places on the mesh; then what is not linear, and rods, rings and discs about an axis of
+/// particles at nineteen places on the mesh; then scenes that are not linear, and rods, rings and discs about an axis of
 /// revolution. Numbers are c dt / min(h). The exit code is 1 if a measured limit lies below the predicted one or below
 /// the step that the kernel takes.
 ///

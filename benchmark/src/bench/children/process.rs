@@ -145,8 +145,8 @@ fn cannot_start(program: &str, error: &std::io::Error) -> String {
     }
 }
 
-/// Steps and time per step, where the process left a `summary.json` that says them. Each key is read by itself: a solver
-/// need not write all that `proctor run` does, and what is no number above zero says nothing.
+/// Steps and time per step from the `summary.json` that the process left, if it left one. Each key is read by itself: a
+/// solver need not write all keys of `proctor run`. A value that is no number above zero is left out.
 pub(super) fn take_summary(out: &Path, particles: usize, row: &mut Row) {
     let Some(summary) = read_to_string(&out.join(SUMMARY))
         .ok()

@@ -1,7 +1,7 @@
 //! A scene as the text of a scene file, for other programs.
 //!
-//! A written scene is read back as the same scene. What the language has no word for, or what is not written yet, is refused by
-//! name.
+//! A written scene is read back as the same scene. A feature without a word in the language, or one that is not written yet,
+//! is refused by name.
 
 use serde_json::{Map, Value, json};
 
