@@ -8,6 +8,7 @@
 
 pub mod bodies;
 pub mod enclosed;
+pub mod exact_sum;
 pub mod memory;
 pub mod mesh;
 pub mod number;

@@ -13,6 +13,7 @@
 use super::interactions::{Interaction, Interactions};
 use super::phase::PhaseTimer;
 use super::{Cycle, history_value};
+use crate::exact_sum::{ExactSum, exact_sum};
 use crate::grid::Line;
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
@@ -134,7 +135,7 @@ impl Cycle {
             .filter_map(|(set, body)| {
                 let v = history_value(body.motion.as_ref()?, now);
                 let square: f64 = v[..set.layout.axes].iter().map(|c| c * c).sum();
-                let mass: f64 = set.columns[Layout::MASS].iter().sum();
+                let mass = exact_sum(set.columns[Layout::MASS].iter().copied());
                 Some(0.5 * mass * square - kinetic_energy(set))
             })
             .sum()
@@ -181,14 +182,14 @@ impl Cycle {
     fn change_of_kinetic_energy(&self, nodal: &NodalConditions) -> f64 {
         let grid = &self.work.grid;
         let driven = |body: usize| self.model.bodies[body].motion.is_some();
-        let mut sum = 0.0;
+        let mut sum = ExactSum::ZERO;
         let mut add = |node: usize, line: &Line, walls: &[Wall]| {
             if is_ghost(&grid.shape, walls, grid.shape.indices(node)) {
                 return;
             }
             for axis in 0..3 {
                 let (v, dv) = (line[1 + axis], line[4 + axis]);
-                sum += line[0] * dv * (v - 0.5 * dv);
+                sum.add(line[0] * dv * (v - 0.5 * dv));
             }
         };
         for (node, line) in grid.free_nodes(driven) {
@@ -197,7 +198,7 @@ impl Cycle {
         for (node, line) in grid.water_nodes() {
             add(node, line, &nodal.water_walls);
         }
-        sum
+        sum.value()
     }
 }
 

@@ -5,6 +5,7 @@
 
 use super::Cycle;
 use super::energy::NodalSnapshot;
+use crate::exact_sum::exact_sum;
 use crate::layout::Layout;
 use crate::simulation::values::StepError;
 use crate::stage::solve::is_ghost;
@@ -64,7 +65,7 @@ impl Cycle {
             let square: f64 = along.map(|axis| line[4 + axis] * line[4 + axis]).sum();
             line[0] * square.sqrt() / kick
         };
-        Ok(inside.map(|(_, line)| force(line)).sum())
+        Ok(exact_sum(inside.map(|(_, line)| force(line))))
     }
 
     /// The weight of the bodies, or the force of the largest stress on one side of them where nothing weighs \[N\], and its
@@ -86,7 +87,7 @@ impl Cycle {
             self.model.plan.axes
         };
         let force = self.state.sets.iter().map(|set| {
-            let volume: f64 = set.columns[Layout::VOLUME].iter().sum();
+            let volume = exact_sum(set.columns[Layout::VOLUME].iter().copied());
             let stress = (0..set.len()).flat_map(|p| set.stress(p));
             let most = stress.fold(0.0_f64, |most, s| most.max(s.abs()));
             most * libm::pow(volume, 1.0 - 1.0 / axes as f64)

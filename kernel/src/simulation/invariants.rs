@@ -13,6 +13,7 @@
 //! library user need not tell its work: there the energy is not watched.
 
 use super::Cycle;
+use crate::exact_sum::ExactSum;
 use crate::layout::Layout;
 use crate::model::{OnImbalance, Vector};
 use crate::simulation::values::{
@@ -184,35 +185,27 @@ impl Cycle {
 
     /// Momentum of the particles that move freely, and the sum of its magnitudes \[kg m/s\].
     fn free_momentum(&self) -> (Vector, f64) {
-        let (mut sum, mut scale) = ([0.0; 3], 0.0);
-        for (set, body) in self.state.sets.iter().zip(&self.model.bodies) {
-            if body.motion.is_some() {
-                continue;
-            }
-            let mass = &set.columns[Layout::MASS];
-            let first = Layout::velocity(set.layout.axes);
-            for axis in 0..set.layout.axes {
-                let (along, size) = momentum_along(mass, &set.columns[first + axis]);
-                sum[axis] += along;
-                scale += size;
-            }
-        }
-        (sum, scale)
+        let moves_freely = |index: usize| self.model.bodies[index].motion.is_none();
+        let [x, y, z, scale] = self.sums_by_body(moves_freely, |index, p| {
+            let set = &self.state.sets[index];
+            with_size(set.columns[Layout::MASS][p], set.velocity(p))
+        });
+        ([x, y, z], scale)
     }
 
     /// Change of the momentum of all fields that move freely in this step, and the sum of the magnitudes of the changes \[kg
     /// m/s\].
     fn change_at_nodes(&self) -> (Vector, f64) {
         let driven = |body: usize| self.model.bodies[body].motion.is_some();
-        let (mut sum, mut scale) = ([0.0; 3], 0.0);
+        let mut sums = [ExactSum::ZERO; 4];
         for (_, line) in self.work.grid.free_nodes(driven) {
-            for axis in 0..3 {
-                let change = line[0] * line[4 + axis];
-                sum[axis] += change;
-                scale += change.abs();
+            let terms = with_size(line[0], [line[4], line[5], line[6]]);
+            for (sum, term) in sums.iter_mut().zip(terms) {
+                sum.add(term);
             }
         }
-        (sum, scale)
+        let [x, y, z, scale] = sums.map(|sum| sum.value());
+        ([x, y, z], scale)
     }
 
     /// True if a particle is so near a boundary plane with a condition that its mirror image takes part in the mapping.
@@ -242,16 +235,8 @@ impl Cycle {
     }
 }
 
-/// The sum of m v over particles, and that of its magnitudes \[kg m/s\]: eight sums side by side, since each waits for the term
-/// before.
-fn momentum_along(mass: &[f64], velocity: &[f64]) -> (f64, f64) {
-    let (mut sums, mut sizes) = ([0.0; 8], [0.0; 8]);
-    for (mass, velocity) in mass.chunks(8).zip(velocity.chunks(8)) {
-        let terms = mass.iter().zip(velocity).map(|(m, v)| m * v);
-        for ((sum, size), term) in sums.iter_mut().zip(&mut sizes).zip(terms) {
-            *sum += term;
-            *size += term.abs();
-        }
-    }
-    (sums.iter().sum(), sizes.iter().sum())
+/// The three components of m v and the sum of their magnitudes \[kg m/s\].
+fn with_size(mass: f64, velocity: Vector) -> [f64; 4] {
+    let [x, y, z] = velocity.map(|v| mass * v);
+    [x, y, z, x.abs() + y.abs() + z.abs()]
 }

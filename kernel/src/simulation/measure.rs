@@ -1,14 +1,15 @@
-//! Sums over the particles: mass, momentum, energy, hash. Always in order of the particle identifier, so that
-//! they do not depend on how particles are stored.
+//! Sums over the particles: mass, momentum, energy, hash. Sums are exact but for one rounding, so that they depend neither on
+//! how particles are stored nor on who adds them.
 
 use super::Cycle;
+use crate::exact_sum::{ExactSum, exact_sum};
 use crate::laws::{Particle, StoredParticle};
 use crate::layout::Layout;
 use crate::model::Vector;
 use crate::particles::ParticleSet;
 use crate::simulation::values::{BodyEnergy, BodyHandle, MassCenter};
 use crate::team::ItemCost;
-use std::sync::{MutexGuard, PoisonError};
+use std::sync::{Mutex, PoisonError};
 
 impl Cycle {
     /// Total mass \[kg\].
@@ -20,8 +21,9 @@ impl Cycle {
     /// Total momentum \[kg m/s\].
     #[must_use]
     pub fn momentum(&self) -> Vector {
-        std::array::from_fn(|axis| {
-            self.sum(|set, p| set.columns[Layout::MASS][p] * set.velocity(p)[axis])
+        self.sums(|set, p| {
+            let m = set.columns[Layout::MASS][p];
+            set.velocity(p).map(|v| m * v)
         })
     }
 
@@ -29,17 +31,12 @@ impl Cycle {
     #[must_use]
     pub fn center(&self, body: impl Into<BodyHandle>) -> MassCenter {
         let particles = self.particles_of(body);
-        let (mut mass, mut x, mut v) = (0.0, [0.0; 3], [0.0; 3]);
-        for &p in self.order().of(particles) {
-            let p = p as usize;
+        let [mass, x0, x1, x2, v0, v1, v2] = self.sums_over(particles, |p| {
             let m = particles.columns[Layout::MASS][p];
-            let (x_p, v_p) = (particles.position(p), particles.velocity(p));
-            mass += m;
-            for axis in 0..3 {
-                x[axis] += m * x_p[axis];
-                v[axis] += m * v_p[axis];
-            }
-        }
+            let (x, v) = (particles.position(p), particles.velocity(p));
+            [m, m * x[0], m * x[1], m * x[2], m * v[0], m * v[1], m * v[2]]
+        });
+        let (mut x, mut v) = ([x0, x1, x2], [v0, v1, v2]);
         let origin = self.origin();
         if mass > 0.0 {
             x = std::array::from_fn(|axis| x[axis] / mass + origin[axis]);
@@ -60,34 +57,19 @@ impl Cycle {
 
     /// Kinetic energy, strain energy, and dead load times position, with the same bits as each of them alone, in one pass.
     pub(super) fn energies(&self) -> [f64; 3] {
-        let (mut kinetic, mut strain, mut load) =
-            (CompensatedSum::default(), 0.0, CompensatedSum::default());
-        for (index, set) in self.state.sets.iter().enumerate() {
-            let terms = |p| {
-                let strain = self.strain_energy_of(index, p);
-                [kinetic_energy_of(set, p), strain, self.dead_load(set, p)]
-            };
-            self.add_each(set, terms, |terms| {
-                kinetic.add(terms[0]);
-                strain += terms[1];
-                load.add(terms[2]);
-            });
-        }
-        [kinetic.value(), strain, load.value()]
+        let terms = |index: usize, p: usize| {
+            let set = &self.state.sets[index];
+            let strain = self.strain_energy_of(index, p);
+            [kinetic_energy_of(set, p), strain, self.dead_load(set, p)]
+        };
+        self.sums_by_body(|_| true, terms)
     }
 
     /// Strain energy \[J\].
     #[must_use]
     pub fn strain_energy(&self) -> f64 {
-        let mut total = 0.0;
-        for (index, set) in self.state.sets.iter().enumerate() {
-            self.add_each(
-                set,
-                |p| [self.strain_energy_of(index, p)],
-                |[term]| total += term,
-            );
-        }
-        total
+        let [sum] = self.sums_by_body(|_| true, |index, p| [self.strain_energy_of(index, p)]);
+        sum
     }
 
     fn strain_energy_of(&self, index: usize, p: usize) -> f64 {
@@ -98,19 +80,10 @@ impl Cycle {
     /// Energy that laws have dissipated in the particles \[J\].
     #[must_use]
     pub fn plastic_work(&self) -> f64 {
-        let mut total = 0.0;
-        for (index, set) in self.state.sets.iter().enumerate() {
-            // A law without internal variables remembers nothing that it could have dissipated.
-            if set.layout.law.is_empty() {
-                continue;
-            }
-            self.add_each(
-                set,
-                |p| [self.plastic_work_of(index, p)],
-                |[term]| total += term,
-            );
-        }
-        total
+        // A law without internal variables remembers nothing that it could have dissipated.
+        let remembers = |index: usize| !self.state.sets[index].layout.law.is_empty();
+        let [sum] = self.sums_by_body(remembers, |index, p| [self.plastic_work_of(index, p)]);
+        sum
     }
 
     fn plastic_work_of(&self, index: usize, p: usize) -> f64 {
@@ -136,15 +109,21 @@ impl Cycle {
         if !law.yields() {
             return None;
         }
-        let mut sum = BodyEnergy::default();
-        for &p in self.order().of(&self.state.sets[index]) {
-            self.of_particle(index, p as usize, |particle| {
-                sum.stored += law.energy(particle);
-                sum.plastic += law.dissipated(particle);
-                sum.algorithmic += law.algorithmic(particle);
-            });
-        }
-        Some(sum)
+        let set = &self.state.sets[index];
+        let [stored, plastic, algorithmic] = self.sums_over(set, |p| {
+            self.of_particle(index, p, |particle| {
+                [
+                    law.energy(particle),
+                    law.dissipated(particle),
+                    law.algorithmic(particle),
+                ]
+            })
+        });
+        Some(BodyEnergy {
+            stored,
+            plastic,
+            algorithmic,
+        })
     }
 
     /// Value of a particle by its law.
@@ -166,58 +145,70 @@ impl Cycle {
         state_hash(&self.state.sets)
     }
 
-    /// Adds up what `term` says of each particle of a set, in order of the identifier. Threads find terms of as many particles
-    /// at a time as [`AT_ONCE`]; one adds them.
+    /// Adds a term of each particle of a set to each sum. Threads sum parts of the particles.
     fn add_each<const K: usize>(
         &self,
         set: &ParticleSet,
-        term: impl Fn(usize) -> [f64; K] + Sync,
-        mut add: impl FnMut([f64; K]),
+        terms: impl Fn(usize) -> [f64; K] + Sync,
+        sums: &mut [ExactSum; K],
     ) {
-        let mut kept = self.order();
-        let ByIdentifier { places, terms } = kept.fill(set);
         let team = self.work.grid.team_of_particles();
-        if team.count() == 1 {
-            places.iter().map(|&p| term(p as usize)).for_each(add);
-            return;
-        }
-        for places in places.chunks(AT_ONCE) {
-            terms.resize(K * places.len(), 0.0);
-            let share = team.share(places.len(), ItemCost::Small);
-            let parts = places.chunks(share).zip(terms.chunks_mut(K * share));
-            team.each(parts, |(places, terms)| {
-                let (terms, _) = terms.as_chunks_mut();
-                for (&p, found) in places.iter().zip(terms) {
-                    *found = term(p as usize);
+        let share = team.share(set.len(), ItemCost::Small);
+        let firsts = (0..set.len()).step_by(share);
+        let sums = Mutex::new(sums);
+        team.each(firsts, |first| {
+            let mut part = [ExactSum::ZERO; K];
+            for p in first..(first + share).min(set.len()) {
+                for (sum, term) in part.iter_mut().zip(terms(p)) {
+                    sum.add(term);
                 }
-            });
-            let (terms, _) = terms.as_chunks();
-            terms.iter().copied().for_each(&mut add);
-        }
+            }
+            // In any order, since sums are exact.
+            let mut sums = sums.lock().unwrap_or_else(PoisonError::into_inner);
+            for (sum, part) in sums.iter_mut().zip(&part) {
+                sum.merge(part);
+            }
+        });
     }
 
-    fn order(&self) -> MutexGuard<'_, ByIdentifier> {
-        // Nothing is left behind half written that matters: it is filled before it is read.
-        self.work
-            .order
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
-    }
-
-    /// Sum over all particles in order of the identifier.
+    /// Sum over all particles.
     fn sum(&self, term: impl Fn(&ParticleSet, usize) -> f64 + Sync) -> f64 {
-        let mut sum = CompensatedSum::default();
-        for set in &self.state.sets {
-            self.add_each(set, |p| [term(set, p)], |[x]| sum.add(x));
-        }
-        sum.value()
+        let [sum] = self.sums(|set, p| [term(set, p)]);
+        sum
     }
 
-    /// Sum over the particles of a set in order of the identifier.
-    pub(super) fn sum_over(&self, set: &ParticleSet, term: impl Fn(usize) -> f64 + Sync) -> f64 {
-        let mut sum = CompensatedSum::default();
-        self.add_each(set, |p| [term(p)], |[x]| sum.add(x));
-        sum.value()
+    /// Sums over all particles.
+    pub(super) fn sums<const K: usize>(
+        &self,
+        terms: impl Fn(&ParticleSet, usize) -> [f64; K] + Sync,
+    ) -> [f64; K] {
+        self.sums_by_body(|_| true, |index, p| terms(&self.state.sets[index], p))
+    }
+
+    /// Sums over the particles of the bodies for which `counts`, of terms by body and particle.
+    pub(super) fn sums_by_body<const K: usize>(
+        &self,
+        counts: impl Fn(usize) -> bool,
+        terms: impl Fn(usize, usize) -> [f64; K] + Sync,
+    ) -> [f64; K] {
+        let mut sums = [ExactSum::ZERO; K];
+        for (index, set) in self.state.sets.iter().enumerate() {
+            if counts(index) {
+                self.add_each(set, |p| terms(index, p), &mut sums);
+            }
+        }
+        sums.map(|sum| sum.value())
+    }
+
+    /// Sums over the particles of a set.
+    fn sums_over<const K: usize>(
+        &self,
+        set: &ParticleSet,
+        terms: impl Fn(usize) -> [f64; K] + Sync,
+    ) -> [f64; K] {
+        let mut sums = [ExactSum::ZERO; K];
+        self.add_each(set, terms, &mut sums);
+        sums.map(|sum| sum.value())
     }
 
     /// Sum of dead load times position: weight and box loads.
@@ -254,61 +245,6 @@ fn kinetic_energy_of(set: &ParticleSet, p: usize) -> f64 {
     0.5 * set.columns[Layout::MASS][p] * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2])
 }
 
-/// A compensated sum (Neumaier 1974): a million equal terms would otherwise leave 1e-11 of the sum as round-off.
-#[derive(Clone, Copy, Debug, Default)]
-struct CompensatedSum {
-    sum: f64,
-    lost: f64,
-}
-
-impl CompensatedSum {
-    fn add(&mut self, x: f64) {
-        let next = self.sum + x;
-        self.lost += if self.sum.abs() >= x.abs() {
-            (self.sum - next) + x
-        } else {
-            (x - next) + self.sum
-        };
-        self.sum = next;
-    }
-
-    fn value(self) -> f64 {
-        self.sum + self.lost
-    }
-}
-
-/// Particles whose terms are held at a time: as many as a thread is worth being woken for, but not as many as there may be.
-const AT_ONCE: usize = 1 << 16;
-
-/// Indices of a set in order of the identifier, and memory for terms of sums in this order.
-#[derive(Debug, Default)]
-pub(crate) struct ByIdentifier {
-    places: Vec<u32>,
-    terms: Vec<f64>,
-}
-
-impl ByIdentifier {
-    /// Places of the particles of a set by identifier. Identifiers of a set are consecutive but for removed particles, so a table of places takes the time of
-    /// one pass.
-    fn of(&mut self, set: &ParticleSet) -> &[u32] {
-        &self.fill(set).places
-    }
-
-    fn fill(&mut self, set: &ParticleSet) -> &mut Self {
-        let (first, last) = set.id.iter().fold((u64::MAX, 0), |(low, high), &id| {
-            (low.min(id), high.max(id))
-        });
-        let places = &mut self.places;
-        places.clear();
-        places.resize((last + 1).saturating_sub(first) as usize, u32::MAX);
-        for (p, &id) in set.id.iter().enumerate() {
-            places[(id - first) as usize] = p as u32;
-        }
-        places.retain(|&p| p != u32::MAX);
-        self
-    }
-}
-
 /// FNV-1a hash, 64 bits, over identifier and the bits of every column of all particles in order of the
 /// identifier, set by set. Equal for every number of threads and every kind of lanes.
 #[must_use]
@@ -319,10 +255,11 @@ pub(crate) fn state_hash(sets: &[ParticleSet]) -> u64 {
         hash = (hash ^ word).wrapping_mul(0x0000_0100_0000_01b3);
         hash ^= hash >> 32;
     };
-    let mut order = ByIdentifier::default();
+    let mut order = vec![];
     for set in sets {
         add(set.len() as u64);
-        for &p in order.of(set) {
+        by_identifier(set, &mut order);
+        for &p in &order {
             let p = p as usize;
             add(set.id[p]);
             for column in &set.columns {
@@ -333,12 +270,21 @@ pub(crate) fn state_hash(sets: &[ParticleSet]) -> u64 {
     hash
 }
 
+/// Fills `places` with the places of the particles of a set in order of the identifier. Identifiers of a set are consecutive
+/// but for removed particles, so that a table of places takes the time of one pass.
+fn by_identifier(set: &ParticleSet, places: &mut Vec<u32>) {
+    let (first, last) = set.id.iter().fold((u64::MAX, 0), |(low, high), &id| {
+        (low.min(id), high.max(id))
+    });
+    places.clear();
+    places.resize((last + 1).saturating_sub(first) as usize, u32::MAX);
+    for (p, &id) in set.id.iter().enumerate() {
+        places[(id - first) as usize] = p as u32;
+    }
+    places.retain(|&p| p != u32::MAX);
+}
+
 /// Kinetic energy of the particles of one body \[J\].
 pub(super) fn kinetic_energy(set: &ParticleSet) -> f64 {
-    let square = |p: usize| -> f64 { set.velocity(p).iter().map(|c| c * c).sum() };
-    let mass = &set.columns[Layout::MASS];
-    mass.iter()
-        .enumerate()
-        .map(|(p, m)| 0.5 * m * square(p))
-        .sum()
+    exact_sum((0..set.len()).map(|p| kinetic_energy_of(set, p)))
 }

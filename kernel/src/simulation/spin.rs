@@ -7,34 +7,33 @@
 use super::Cycle;
 use crate::layout::Layout;
 use crate::model::{Damping, TransferKind, Vector};
+use crate::particles::ParticleSet;
 use crate::simulation::values::{EventKind, Spin};
 
 impl Cycle {
     /// Angular momentum of the particles, where nothing outside can turn them and FLIP moves them.
     pub(super) fn spin(&self) -> Option<Spin> {
         self.is_left_alone().then_some(())?;
-        let (mut mass, mut center, mut momentum) = (0.0, [0.0; 3], [0.0; 3]);
-        self.each_particle(|m, x, v| {
-            mass += m;
-            for axis in 0..3 {
-                center[axis] += m * x[axis];
-                momentum[axis] += m * v[axis];
-            }
+        let [mass, center @ .., px, py, pz] = self.sums(|set, p| {
+            let (m, x, v) = (mass_of(set, p), set.position(p), set.velocity(p));
+            [m, m * x[0], m * x[1], m * x[2], m * v[0], m * v[1], m * v[2]]
         });
-        let mut spin = Spin {
-            about_centre: [0.0; 3],
-            scale: 0.0,
-        };
-        self.each_particle(|m, x, v| {
+        let momentum = [px, py, pz];
+        let [x, y, z, scale] = self.sums(|set, p| {
+            let (m, x, v) = (mass_of(set, p), set.position(p), set.velocity(p));
             let r: Vector = std::array::from_fn(|axis| x[axis] - center[axis] / mass);
             let u: Vector = std::array::from_fn(|axis| v[axis] - momentum[axis] / mass);
-            for axis in 0..3 {
+            let [x, y, z] = std::array::from_fn(|axis| {
                 let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
-                spin.about_centre[axis] += m * (r[a] * u[b] - r[b] * u[a]);
-            }
-            spin.scale += m * (length_squared(&r) * length_squared(&u)).sqrt();
+                m * (r[a] * u[b] - r[b] * u[a])
+            });
+            let size = m * (length_squared(&r) * length_squared(&u)).sqrt();
+            [x, y, z, size]
         });
-        Some(spin)
+        Some(Spin {
+            about_centre: [x, y, z],
+            scale,
+        })
     }
 
     /// Share of the angular momentum of the start that is gone, over the sum of its magnitudes; `None` where it is not
@@ -48,18 +47,6 @@ impl Cycle {
         let lost: Vector =
             std::array::from_fn(|axis| start.about_centre[axis] - now.about_centre[axis]);
         Some(length_squared(&lost).sqrt() / start.scale)
-    }
-
-    fn each_particle(&self, mut visit: impl FnMut(f64, Vector, Vector)) {
-        for set in &self.state.sets {
-            for p in 0..set.len() {
-                visit(
-                    set.columns[Layout::MASS][p],
-                    set.position(p),
-                    set.velocity(p),
-                );
-            }
-        }
     }
 }
 
@@ -82,6 +69,10 @@ impl Cycle {
             && !self.balance_traits().dissipates
             && !settings.drives_bodies
     }
+}
+
+fn mass_of(set: &ParticleSet, p: usize) -> f64 {
+    set.columns[Layout::MASS][p]
 }
 
 fn length_squared(v: &Vector) -> f64 {

@@ -13,6 +13,7 @@
 //! functions, whose particles cross cells, and steps beyond the critical one. The sums are in no checkpoint: they begin anew.
 
 use super::Cycle;
+use crate::exact_sum::ExactSum;
 use crate::layout::Layout;
 use crate::model::{CycleSettings, StressScheme, Weighting};
 use crate::particles::ParticleSet;
@@ -247,7 +248,7 @@ impl Cycle {
             StressScheme::Usl | StressScheme::Usf => 1,
         };
         let shape = &self.work.grid.shape;
-        let mut sum = 0.0;
+        let mut sum = ExactSum::ZERO;
         for (_, rows, lines) in self.fields() {
             for plane in 0..shape.nodes[0] {
                 for row in 0..shape.nodes[1] {
@@ -256,13 +257,13 @@ impl Cycle {
                         let line = &lines[start + k];
                         if line[0] > 0.0 && !self.is_ghost([plane, row, k]) {
                             let square: f64 = line[first..first + 3].iter().map(|v| v * v).sum();
-                            sum += 0.5 * line[0] * square;
+                            sum.add(0.5 * line[0] * square);
                         }
                     }
                 }
             }
         }
-        sum
+        sum.value()
     }
 }
 

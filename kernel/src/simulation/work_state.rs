@@ -2,7 +2,6 @@
 
 use super::interactions::Interactions;
 use super::invariants::Momentum;
-use super::measure::ByIdentifier;
 use super::motion::SlabSums;
 use super::phase::PhaseTimer;
 use super::tension::TensionWatch;
@@ -11,7 +10,6 @@ use crate::simulation::fields::Grid;
 use crate::simulation::values::StepError;
 use crate::stage::g2p::ParticleMaxima;
 use crate::stage::solve::{EmptyNode, PlaneSums};
-use std::sync::Mutex;
 
 /// The work state of a step: the grid, the interactions between its fields, and lists that keep their memory.
 pub(crate) struct WorkState {
@@ -36,8 +34,6 @@ pub(crate) struct WorkState {
     pub(crate) gathered: Vec<G2pShare>,
     /// Body forces on the particles of one body per mass, while they are found \[m/s²\].
     pub(crate) forces: Vec<[f64; 3]>,
-    /// The order of sums over particles, while one is formed.
-    pub(crate) order: Mutex<ByIdentifier>,
     /// Momentum in the middle of a step, where it is looked at.
     pub(crate) momentum: Option<Momentum>,
     /// The growth of particles in tension, where the method may lose it.
@@ -59,7 +55,6 @@ impl WorkState {
             solved: vec![],
             gathered: vec![],
             forces: vec![],
-            order: Mutex::default(),
             momentum: None,
             tension: None,
         }

@@ -4,6 +4,7 @@
 //! equation of motion there: its nodes move as it does.
 
 use super::{ConditionResult, ConditionType};
+use crate::exact_sum::exact_sum;
 use crate::grid::GridShape;
 use crate::layout::Layout;
 use crate::model::CycleSettings;
@@ -136,9 +137,10 @@ impl Cycle {
 
 /// Dead load of all particles of a set along an axis \[N\].
 fn dead_load(set: &ParticleSet, gravity: f64, axis: usize) -> f64 {
-    let weight = gravity * set.columns[Layout::MASS].iter().sum::<f64>();
+    let sum = |column: &[f64]| exact_sum(column.iter().copied());
+    let weight = gravity * sum(&set.columns[Layout::MASS]);
     let force = set.layout.force;
-    weight + force.map_or(0.0, |first| set.columns[first + axis].iter().sum())
+    weight + force.map_or(0.0, |first| sum(&set.columns[first + axis]))
 }
 
 /// Nodes that any particle of a driven body reaches by more than round-off, each once, increasing, in place of those before.

@@ -1,4 +1,4 @@
-//! Sums over the pore water of particles: mass, momentum, energies. In order of the identifier.
+//! Sums over the pore water of particles: mass, energies.
 
 use crate::layout::Layout;
 use crate::model::PoreWater;
@@ -48,12 +48,11 @@ impl Cycle {
     }
 
     fn sum_of_water(&self, term: impl Fn(&PoreWater, &ParticleSet, usize) -> f64 + Sync) -> f64 {
-        let mut sum = 0.0;
-        for (set, body) in self.state.sets.iter().zip(&self.model.bodies) {
-            if let Some(water) = &body.water {
-                sum += self.sum_over(set, |p| term(water, set, p));
-            }
-        }
+        let water = |index: usize| self.model.bodies[index].water.as_ref();
+        let terms = |index: usize, p: usize| {
+            [water(index).map_or(0.0, |water| term(water, &self.state.sets[index], p))]
+        };
+        let [sum] = self.sums_by_body(|index| water(index).is_some(), terms);
         sum
     }
 }
