@@ -286,6 +286,31 @@ pub(crate) fn cell_mean_weights<L: Lanes, const N: usize>(g: &[L; N]) -> [L; N] 
     weights
 }
 
+/// The same along a radius: weights of the mean of a linear field over the rings of these cells, and those of the mean of the radial
+/// and the hoop strain together, (r_{I+1} v_{I+1} - r_I v_I)/(r_c h) in the cell between two nodes about the radius r_c, times h.
+/// `first` is the radius of the first node in cells. Beyond the axis both are those of the mirror image.
+#[inline(always)]
+pub(crate) fn ring_mean_weights<L: Lanes, const N: usize>(g: &[L; N], first: L) -> [[L; N]; 2] {
+    let (zero, half, one) = (L::splat(0.0), L::splat(0.5), L::splat(1.0));
+    let inverse = |radius: L| {
+        // No particle lies in a cell whose middle is on the axis, where nodes are not.
+        let is_ring = zero.lt(radius * radius);
+        L::select(is_ring, one / L::select(is_ring, radius, one), zero)
+    };
+    let tilt = L::splat(1.0 / 12.0);
+    let (mut means, mut strains) = (*g, *g);
+    let (mut below, mut inverse_below) = (zero, zero);
+    for n in 0..N {
+        let node = first + L::splat(n as f64);
+        let (above, inverse_above) = (below - g[n], inverse(node + half));
+        let sum = half * (below + above);
+        means[n] = tilt.mul_add(below * inverse_below - above * inverse_above, sum);
+        strains[n] = node * (below * inverse_below - above * inverse_above);
+        (below, inverse_below) = (above, inverse_above);
+    }
+    [means, strains]
+}
+
 /// Weights of one particle along one axis in plain numbers: base node and `N` weights and derivatives d/dxi.
 ///
 /// For set-up and tests; the stages use [`axis_weights`] in lanes.

@@ -223,6 +223,7 @@ fn every_case_has_a_study_or_a_reason_why_not() {
             "angular-momentum",
             "grains",
             "half-space",
+            "half-space-boxes",
             "radial-vibration",
             "column-modal",
             "column-early",

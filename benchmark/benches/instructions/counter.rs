@@ -19,26 +19,15 @@ const NO_STRING_INSTRUCTIONS: (&str, &str) = (
     "glibc.cpu.x86_rep_stosb_threshold=1000000000:glibc.cpu.x86_rep_movsb_threshold=1000000000",
 );
 
-/// The example, built for x86-64-v3 in a folder of its own.
+/// The example, built as the program is: where tests were built, nothing is left to build.
 fn build() -> Result<PathBuf, Box<dyn Error>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let target =
         std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from);
-    let target = target.join("x86-64-v3");
     let built = Command::new(env!("CARGO"))
-        .args([
-            "build",
-            "--release",
-            "--quiet",
-            "--package",
-            "proctor-files",
-            "--example",
-            "counted",
-        ])
-        .arg("--target-dir")
-        .arg(&target)
-        .env("RUSTFLAGS", "-C target-cpu=x86-64-v3")
-        .env_remove("CARGO_ENCODED_RUSTFLAGS")
+        // The whole workspace, since what packages ask of a dependency together decides how it is built.
+        .args(["build", "--release", "--quiet", "--workspace"])
+        .args(["--example", "counted"])
         .current_dir(&root)
         .status()?;
     if !built.success() {

@@ -2,8 +2,8 @@
 //! does.
 //!
 //! `cargo bench --bench instructions [-- [--features] [--only WORD] [--since FILE] [--json FILE]]`. The example `counted` of
-//! proctor-files is built for x86-64-v3 and run under callgrind (which runs the AVX2 lanes). Then features that do nothing are
-//! counted against the same scene without them: they may cost 0.1 % and must change no bit. `--features` does only that, `--only
+//! proctor-files is built as the program is and run under callgrind (which runs the AVX2 lanes). Then features that do nothing
+//! are counted against the same scene without them: they may cost 0.1 % and must change no bit. `--features` does only that, `--only
 //! laws` counts nothing but what has the word in its name. `--since FILE` takes from that record what depends on no source that
 //! changed since, by the digests beside it; `--json FILE` writes the record and its digests.
 //!
@@ -77,7 +77,7 @@ fn run() -> Result<bool, Box<dyn Error>> {
         return Ok(true);
     }
     let mut record = Record::new(&Options::default());
-    record.context["counted_for"] = "x86-64-v3".into();
+    record.context["counted_for"] = "x86-64".into();
     // Whatever this machine has: valgrind runs no wider ones.
     record.context["lanes"] = "avx2".into();
     let mut items = vec![];

@@ -4,10 +4,11 @@ use crate::grid::{GHOSTS_BELOW, GridShape};
 use crate::layout::Layout;
 use crate::model::{CycleSettings, Damping, Vector};
 use crate::simulation::Cycle;
-use crate::simulation::conditions;
+use crate::simulation::conditions::{self, rings};
 use crate::simulation::energy::NodalSnapshot;
 use crate::simulation::mapping::node_weights;
 use crate::simulation::values::{AbsorbingNode, StepError};
+use std::f64::consts::TAU;
 
 /// Cells from a plane within which particles can reach its nodes.
 const REACH: f64 = 2.0;
@@ -130,7 +131,7 @@ impl Cycle {
     fn ground_at(&self, axis: usize, side: usize) -> Vec<Ground> {
         let settings = &self.model.settings;
         let (shape, mesh) = (&self.work.grid.shape, &settings.mesh);
-        let mut ground = plane_nodes(shape, axis, side);
+        let mut ground = plane_nodes(settings, shape, axis, side);
         let place = if side == 0 {
             0.0
         } else {
@@ -198,8 +199,21 @@ struct Ground {
     modulus: [f64; 2],
 }
 
-/// The nodes of a plane of the mesh with their areas, increasing.
-fn plane_nodes(shape: &GridShape, axis: usize, side: usize) -> Vec<Ground> {
+/// The nodes of a plane of the mesh with their areas, increasing. Around an axis they are those of rings, as the particles have
+/// them.
+fn plane_nodes(
+    settings: &CycleSettings,
+    shape: &GridShape,
+    axis: usize,
+    side: usize,
+) -> Vec<Ground> {
+    let radial = settings.mesh.axisymmetric;
+    let circumference = if radial && axis == 0 {
+        let edge = (side * shape.cells[0]) as f64 * shape.cell[0];
+        TAU * (settings.mesh.origin[0] + edge)
+    } else {
+        1.0
+    };
     let mut all = vec![];
     let counts: [usize; 3] = std::array::from_fn(|a| {
         if a < shape.axes {
@@ -217,12 +231,15 @@ fn plane_nodes(shape: &GridShape, axis: usize, side: usize) -> Vec<Ground> {
                 }
                 let along = (0..shape.axes).filter(|other| *other != axis);
                 let widths = along.map(|other| {
+                    if radial && other == 0 {
+                        return rings(settings, [0.0, shape.cells[0] as f64], at[0] as f64);
+                    }
                     let is_edge = at[other] == 0 || at[other] == shape.cells[other];
                     shape.cell[other] * if is_edge { 0.5 } else { 1.0 }
                 });
                 all.push(Ground {
                     node: shape.index(shape.mesh_node(at)),
-                    area: widths.product(),
+                    area: circumference * widths.product::<f64>(),
                     mass: 0.0,
                     volume: 0.0,
                     impedance: [0.0; 2],

@@ -349,7 +349,6 @@ fn what_does_not_go_with_absorbing_planes_is_refused() {
         assert!(error.contains(words), "{error}");
     };
     refused(&|scene| scene.damping = Damping::Kinetic, "kinetic damping");
-    refused(&|scene| scene.mesh.axisymmetric = true, "areas of rings");
     refused(
         &|scene| scene.bodies[0].motion = Some([0.0; 3].into()),
         "prescribed_velocity",

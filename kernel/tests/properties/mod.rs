@@ -21,6 +21,7 @@ mod scaling;
 mod separation;
 mod slabs;
 mod sorting;
+mod sums;
 mod symmetry;
 mod touching;
 mod weights;

@@ -1,6 +1,8 @@
 //! Bodies of revolution: forces at rest, motion, loads of the full circle, and what is refused.
 
+mod absorbing;
 mod loads;
+mod means;
 mod motion;
 mod patch;
 mod refused;

@@ -14,13 +14,13 @@ use proctor_scene::Dimension;
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 
-const CELLS: [usize; 2] = [6, 4];
-const H: f64 = 0.1;
+pub const CELLS: [usize; 2] = [6, 4];
+pub const H: f64 = 0.1;
 /// Force over stress and cell that is round-off.
 const ROUND_OFF: f64 = 1e-12;
 
 /// Domains in columns with these radial edges, in cells, and rows of half a cell from the bottom to the top of the mesh.
-fn columns(edges: &[f64], stress: [f64; 4], full: bool) -> ParticleSet {
+pub fn columns(edges: &[f64], stress: [f64; 4], full: bool) -> ParticleSet {
     let wanted = Optional {
         half_length: true,
         affine: full,
@@ -105,7 +105,7 @@ fn force_inside(mut set: ParticleSet, stencil: usize, full: bool) -> f64 {
     most / (H * H)
 }
 
-fn edges_of(widths: &[f64]) -> Vec<f64> {
+pub fn edges_of(widths: &[f64]) -> Vec<f64> {
     let end = CELLS[0] as f64;
     let mut edges = vec![0.0];
     for width in widths {

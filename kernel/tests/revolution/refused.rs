@@ -3,12 +3,12 @@
 use super::cylinder;
 use crate::common::MLS;
 use proctor_scene::{
-    BaseMotion, Dimension, Motion, PlaneCondition, PointLoad, Scene, VolumetricStrain, Weighting,
+    BaseMotion, Dimension, Motion, PlaneCondition, PointLoad, Scene, Weighting,
 };
 
 type Spoil = (&'static str, fn(&mut Scene));
 
-const SPOILT: [Spoil; 11] = [
+const SPOILT: [Spoil; 10] = [
     ("mesh.origin[0]", |scene| scene.mesh.origin[0] = -0.1),
     ("mesh.boundary_conditions.plane_X0", |scene| {
         scene.mesh.planes[0][0] = PlaneCondition::Fixed;
@@ -23,9 +23,6 @@ const SPOILT: [Spoil; 11] = [
     ("transfer", |scene| {
         scene.weighting = Weighting::QuadraticBSpline;
         scene.transfer = MLS;
-    }),
-    ("volumetric_strain", |scene| {
-        scene.volumetric_strain = VolumetricStrain::CellAverage;
     }),
     ("earthquake.plane", |scene| {
         scene.base_motion = Some(BaseMotion {

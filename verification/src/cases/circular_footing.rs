@@ -5,8 +5,8 @@
 //! they need at the end is its load. Loads come from above, since what moves is up to a cell wider than the footing: the exact load
 //! is taken on the area pi (a + h/2)².
 //!
-//! Particles are one per cell: with four of them cells have more conditions of constant volume than nodes can meet, and means over cells
-//! have no axisymmetric form here. Linear functions, for the reason of *footing*. `proctor verify circular-footing`.
+//! Particles are one per cell: with four of them cells have more conditions of constant volume than nodes can meet. Linear
+//! functions, for the reason of *footing*. `proctor verify circular-footing`.
 
 use super::prelude::*;
 use super::vocabulary::moved::smooth;

@@ -18,6 +18,9 @@
 //! node would have. Friction of 0.1 changes the vertical forces by a hundredth alone, so what it adds is judged by itself:
 //! 5.4 N after 60 s, -5 N and -65 N on the plateau. The indenter, which is smooth, is the slave.
 //!
+//! With 600 Pa the indenter is drawn on until it has left the block: the force falls to zero, and the block slips to the left below
+//! it, which the paper finds more pronounced without friction.
+//!
 //! The way down is also run with a neo-Hookean block and without friction, against finite elements of our own ([`pressed`]),
 //! and that is what `precision` studies: eq. 20 damps by 1/h, so that the force of the paper's run has no limit as h goes
 //! to zero; here the rate of damping is that of h = 0.2 m on every mesh. `proctor verify ironing`.
@@ -48,6 +51,8 @@ const RAMP: f64 = 2.0;
 const ALONG: f64 = 0.05; // Speed to the right [m/s]
 /// The plateau \[s\].
 const PLATEAU: [f64; 2] = [120.0, 180.0];
+/// End of the runs in which the indenter leaves the block \[s\]: its left edge passes the right one of the block at 297 s.
+const AWAY: f64 = 305.0;
 const INTERVAL: f64 = 0.5; // Interval of the history [s]
 
 const PRESSED: &str = "force at 60 s";
@@ -55,6 +60,8 @@ const MEAN: &str = "mean force from 120 to 180 s";
 const ACROSS: &str = "mean horizontal force from 120 to 180 s";
 const OVER: &str = "horizontal over vertical force from 120 to 180 s";
 const RIPPLE: &str = "ripple of the force about its trend";
+const FREE: &str = "force beyond the block over that from 120 to 180 s";
+const LEFTWARD: &str = "largest leftward force on the block on the way out";
 
 /// A reading of the modulus, with or without friction.
 #[derive(Clone, Copy, Debug)]
@@ -130,6 +137,8 @@ fn end(rung: &Rung) -> f64 {
         pressed::END
     } else if rung.cell > 0.3 {
         DOWN
+    } else if reading(rung).stiffness == 1.0 {
+        AWAY
     } else {
         PLATEAU[1]
     }
@@ -225,6 +234,17 @@ fn quantities(forces: &[[f64; 2]], expected: [f64; 3]) -> Vec<Quantity> {
             "1",
         ));
         found.push(Quantity::balance(RIPPLE, ripple(&of(1)), "1"));
+        if let Some(out) = forces.get(at(PLATEAU[1])..=at(AWAY)) {
+            // Forces are those on the indenter.
+            let leftward = out.iter().map(|f| f[0]).fold(0.0, f64::max);
+            let left = forces[at(AWAY)];
+            found.push(Quantity::figure(LEFTWARD, leftward, "N"));
+            found.push(Quantity::balance(
+                FREE,
+                libm::hypot(left[0], left[1]) / down,
+                "1",
+            ));
+        }
     }
     found
 }
@@ -261,7 +281,7 @@ fn method(_rung: &Rung) -> Settings {
 fn scene(rung: &Rung, settings: &Settings) -> Scene {
     let h = rung.cell;
     let reading = reading(rung);
-    let mut mesh = open_plane(h, [-2.0, 0.0], [14.0, 8.0]);
+    let mut mesh = open_plane(h, [-2.0, 0.0], [15.0, 8.0]);
     mesh.planes[1][0] = PlaneCondition::Fixed;
     let mut scene = Scene::new(Dimension::Two, mesh, end(rung));
     scene.name.clone_from(&rung.label);

@@ -28,6 +28,7 @@ mod fluid;
 mod footing;
 mod grains;
 mod half_space;
+mod half_space_boxes;
 mod head;
 mod hertz;
 mod hertz_ball;
@@ -154,6 +155,7 @@ list! {
     grains::[GRAINS],
     thick_cylinder::[THICK_CYLINDER],
     half_space::[HALF_SPACE],
+    half_space_boxes::[HALF_SPACE_BOXES],
     radial_vibration::[RADIAL_VIBRATION],
     column_modal::[COLUMN_MODAL],
     column_early::[COLUMN_EARLY],

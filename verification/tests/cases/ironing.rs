@@ -36,7 +36,7 @@ fn figures() -> Vec<(Rung, RungResult)> {
     };
     let run = |rung: Rung| {
         let [pressed, down, along] = of(&rung);
-        let quantities = vec![
+        let mut quantities = vec![
             quantity("force at 60 s", pressed),
             quantity("mean force from 120 to 180 s", down),
             quantity("mean horizontal force from 120 to 180 s", along),
@@ -47,6 +47,19 @@ fn figures() -> Vec<(Rung, RungResult)> {
             ripple.clone(),
             quantity("L2 of the force while it goes down", 0.0),
         ];
+        if rung.variant.starts_with("600 Pa") {
+            let leftward = if rung.variant.contains("friction") {
+                50.0
+            } else {
+                60.0
+            };
+            quantities.push(quantity("largest leftward force on the block on the way out", leftward));
+            quantities.push(Quantity {
+                exact: Some(0.0),
+                error: None,
+                ..quantity("force beyond the block over that from 120 to 180 s", 0.0)
+            });
+        }
         let solved = RungResult {
             particles: 1,
             steps: 1,

@@ -381,7 +381,7 @@ pub fn areas(
 
 /// Area of a node, `n` cells from the lower edge of the mesh, in rings between two places in cells \[m²\]: the sum of its weights over
 /// the rows of particles below, times their radii. Those of the particles act against it, so that a uniform stress is at rest.
-fn rings(settings: &CycleSettings, [a, b]: [f64; 2], n: f64) -> f64 {
+pub(in crate::simulation) fn rings(settings: &CycleSettings, [a, b]: [f64; 2], n: f64) -> f64 {
     let (h, first) = (settings.mesh.cell[0], settings.mesh.origin[0]);
     let per_cell = settings.radial_particles as f64;
     // What a node beyond the axis would have is folded onto its mirror image.

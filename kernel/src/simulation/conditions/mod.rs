@@ -12,7 +12,7 @@
 mod light;
 
 pub use loads::areas as nodes_of_traction;
-pub(super) use loads::load_on;
+pub(super) use loads::{load_on, rings};
 
 use super::{Cycle, history_value};
 use crate::grid::GridShape;

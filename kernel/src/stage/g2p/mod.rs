@@ -274,7 +274,7 @@ impl<
             if GRADIENT && call.task.strain.is_some() {
                 let gradients = &mut values.gradient;
                 if !call.excess.is_empty() {
-                    dilation::take(&call.excess[block..at], D, gradients);
+                    dilation::take(&call.excess[block..at], D, RADIAL, gradients);
                 }
                 let first = strain(&mut call, gradients, block..at, &mut of_strain);
                 bad = [bad, first].into_iter().flatten().min();

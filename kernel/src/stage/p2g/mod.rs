@@ -85,6 +85,8 @@ const RING_GRADIENT: u8 = 4;
 const WATER: u8 = 5;
 /// It carries the force of the mean pressure of the pore water instead of them.
 const MEAN_PRESSURE: u8 = 6;
+/// It carries the force of the mean stress instead of them, where the first axis is a radius.
+const RING_MEAN: u8 = 7;
 
 /// Form of the sums over the nodes.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -111,11 +113,11 @@ pub(crate) type P2gFn = fn(SelectedLanes, P2g<'_>) -> usize;
 /// Without affine velocity, mass and momentum need no derivative and take a shorter loop.
 ///
 /// # Panics
-/// For [`Carry::Force`] and [`Carry::MeanStress`] around an axis: force goes with mass and momentum there.
+/// For [`Carry::Force`] around an axis: force goes with mass and momentum there.
 #[must_use]
 pub fn instance(axes: usize, radial: bool, nodes: usize, full: bool, carry: Carry) -> P2gFn {
     match (carry, axes, radial) {
-        (Carry::Force | Carry::MeanStress { .. }, _, true) => {
+        (Carry::Force, _, true) => {
             panic!("no axisymmetric mapping carries force alone")
         }
         // An instance of its own, so that the others do not ask for every particle.
@@ -123,6 +125,7 @@ pub fn instance(axes: usize, radial: bool, nodes: usize, full: bool, carry: Carr
         (Carry::MassGradient, _, true) => from_three::<2, RING_GRADIENT>(nodes),
         (Carry::MassGradient, _, _) => from_three::<3, MASS_GRADIENT>(nodes),
         (Carry::MeanStress { .. }, 2, false) => from_three::<2, MEAN_STRESS>(nodes),
+        (Carry::MeanStress { .. }, _, true) => from_three::<2, RING_MEAN>(nodes),
         (Carry::MeanStress { .. }, _, _) => from_three::<3, MEAN_STRESS>(nodes),
         (Carry::All, _, true) => with_gradient::<2, AXISYMMETRIC>(nodes, full),
         (Carry::All | Carry::Force, 2, false) => with_gradient::<2, NOTHING>(nodes, full),
@@ -356,9 +359,10 @@ impl OwnedNodes<'_> {
         } else {
             SumForm::Rows
         };
+        let averaged = from.carry == (Carry::MeanStress { averaged: true });
         if sums == SumForm::Rows {
             // A comparison is no argument of a generic function.
-            if EXTRA == AXISYMMETRIC {
+            if EXTRA == AXISYMMETRIC || (EXTRA == RING_MEAN && !averaged) {
                 scratch.fill_weights::<B::Line, D, FULL, GRADIENT, true, ON_NODES>(from, block, at);
             } else {
                 scratch
@@ -367,9 +371,12 @@ impl OwnedNodes<'_> {
         } else {
             products.fill::<B::Line, FULL>(from, block, at, sums == SumForm::Linear);
         }
-        let has_means = EXTRA == MEAN_STRESS || EXTRA == MEAN_PRESSURE;
-        if has_means && from.carry == (Carry::MeanStress { averaged: true }) {
+        let has_means = EXTRA == MEAN_STRESS || EXTRA == MEAN_PRESSURE || EXTRA == RING_MEAN;
+        if has_means && averaged {
             scratch.take_cell_means::<B::Line, D>();
+        }
+        if EXTRA == RING_MEAN {
+            scratch.take_rings::<B::Line>(from, block, averaged);
         }
         scratch.fill_lines::<B::Half, D, FULL, GRADIENT, EXTRA>(from, at, block.count);
         let mut first = 0;

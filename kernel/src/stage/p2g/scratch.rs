@@ -2,13 +2,13 @@
 
 use super::source::{P2gSource, line_of, place_of};
 use super::{
-    AXISYMMETRIC, Carry, MASS_GRADIENT, MEAN_PRESSURE, MEAN_STRESS, RING_GRADIENT, WATER, voigt,
-    water,
+    AXISYMMETRIC, Carry, MASS_GRADIENT, MEAN_PRESSURE, MEAN_STRESS, RING_GRADIENT, RING_MEAN,
+    WATER, voigt, water,
 };
 use crate::lanes::{Lanes, Quad, load};
 use crate::layout::Layout;
-use crate::stage::{Block, Mapping, weights_of};
-use crate::weights::cell_mean_weights;
+use crate::stage::{Block, Mapping, radii, weights_of};
+use crate::weights::{cell_mean_weights, ring_mean_weights};
 
 /// Per particle of a block: the line multiplied by the weight, and those multiplied by derivative (upper lanes) and distance
 /// (lower lanes) along each axis.
@@ -91,6 +91,34 @@ impl<const N: usize> Scratch<N> {
         }
     }
 
+    /// Puts what radial and hoop strain have together in the place of the derivatives along the radius: with means over cells, which
+    /// also go with the derivatives along the axis, from the derivatives of the plane, else with the weights.
+    #[inline(always)]
+    pub(super) fn take_rings<L: Lanes>(
+        &mut self,
+        from: &P2gSource<'_>,
+        block: &Block<L>,
+        averaged: bool,
+    ) {
+        let (first, inverse) = radii(from.mapping, block);
+        let mut g = [L::splat(0.0); N];
+        for n in 0..N {
+            g[n] = L::load(&self.g[0][n]);
+        }
+        if averaged {
+            let [means, strains] = ring_mean_weights::<L, N>(&g, first);
+            for n in 0..N {
+                means[n].store(&mut self.w[0][n]);
+                strains[n].store(&mut self.g[0][n]);
+            }
+        } else {
+            for n in 0..N {
+                let w = L::load(&self.w[0][n]);
+                w.mul_add(inverse, g[n]).store(&mut self.g[0][n]);
+            }
+        }
+    }
+
     /// Quantities of `count` particles from `at`: formed with lanes = particles, four at a time, and turned to
     /// lanes = quantities.
     #[inline(always)]
@@ -169,14 +197,16 @@ fn rows<Q: Quad, const D: usize, const FULL: bool, const EXTRA: u8>(
         }
         return (lower, upper);
     }
-    if EXTRA == MEAN_STRESS {
+    if EXTRA == MEAN_STRESS || EXTRA == RING_MEAN {
+        let directions = if EXTRA == RING_MEAN { 3 } else { D };
         let sign = match carry {
             Carry::MeanStress { averaged: true } => -1.0,
             _ => 1.0,
         };
-        let volume = Q::splat(sign / D as f64) * load::<Q>(&columns[Layout::VOLUME], at, count);
+        let volume =
+            Q::splat(sign / directions as f64) * load::<Q>(&columns[Layout::VOLUME], at, count);
         let mut trace = zero;
-        for axis in 0..D {
+        for axis in 0..directions {
             trace = trace + load::<Q>(&columns[Layout::stress(D) + axis], at, count);
         }
         for axis in 0..D {

@@ -58,10 +58,16 @@ pub fn wave_speed() -> f64 {
 
 /// The quarter `[0.5, 1]² x [0, 1]` of the cube in cells of `h` (m), with one layer of empty cells above.
 pub fn scene(h: f64, loading: Loading) -> Scene {
-    let cells = (SIDE / h).round() as usize;
+    scene_of_side(SIDE, h, loading)
+}
+
+/// The same quarter of a cube with another side \[m\].
+pub fn scene_of_side(side: f64, h: f64, loading: Loading) -> Scene {
+    let middle = 0.5 * side;
+    let cells = (side / h).round() as usize;
     let mut mesh = Mesh::new(
         Dimension::Three,
-        [MIDDLE, MIDDLE, 0.0],
+        [middle, middle, 0.0],
         [h; 3],
         [cells / 2, cells / 2, cells + 1],
     );
@@ -76,19 +82,19 @@ pub fn scene(h: f64, loading: Loading) -> Scene {
     scene.bodies = vec![body(
         "quarter box",
         1,
-        cuboid([MIDDLE, MIDDLE, 0.0], [SIDE; 3]),
+        cuboid([middle, middle, 0.0], [side; 3]),
     )];
     match loading {
         Loading::Node => {
             scene.point_loads = vec![PointLoad {
-                position: [MIDDLE, MIDDLE, SIDE],
+                position: [middle, middle, side],
                 force: [0.0, 0.0, -QUARTER_LOAD],
             }];
         }
         Loading::Patch => {
             scene.tractions = vec![Traction {
-                p1: [MIDDLE, MIDDLE, SIDE],
-                p2: [MIDDLE + 0.5 * PATCH, MIDDLE + 0.5 * PATCH, SIDE],
+                p1: [middle, middle, side],
+                p2: [middle + 0.5 * PATCH, middle + 0.5 * PATCH, side],
                 traction: [0.0, 0.0, -LOAD / (PATCH * PATCH)].into(),
             }];
         }
@@ -102,13 +108,21 @@ pub fn scene(h: f64, loading: Loading) -> Scene {
 /// [`InvalidBox`] for a ratio outside (-1, 1/2).
 pub fn exact(loading: Loading, poisson: f64) -> Result<BoxSolution, InvalidBox> {
     BoxSolution::new(BoxProblem {
-        a: SIDE,
-        b: SIDE,
-        height: SIDE,
-        young: YOUNG,
         poisson,
-        load: LOAD,
-        position: [MIDDLE; 2],
-        patch: (loading == Loading::Patch).then_some(PATCH),
+        ..problem(SIDE, loading)
     })
+}
+
+/// The problem of a whole cube with this side \[m\].
+pub fn problem(side: f64, loading: Loading) -> BoxProblem {
+    BoxProblem {
+        a: side,
+        b: side,
+        height: side,
+        young: YOUNG,
+        poisson: POISSON,
+        load: LOAD,
+        position: [0.5 * side; 2],
+        patch: (loading == Loading::Patch).then_some(PATCH),
+    }
 }

@@ -1,7 +1,8 @@
 //! Gates and tables of the indenter in the block.
 
 use super::{
-    ACROSS, MEAN, OVER, PRESSED, READINGS, RIPPLE, Reading, WRONG_FORCE, pressed, reading,
+    ACROSS, FREE, LEFTWARD, MEAN, OVER, PRESSED, READINGS, RIPPLE, Reading, WRONG_FORCE, pressed,
+    reading,
 };
 use crate::cases::prelude::*;
 
@@ -62,6 +63,15 @@ pub fn verdict(runs: &Runs<'_>) -> Verdict {
                 "0.25 % in the method's reference figures; contact that snaps has tens of percent",
             );
         }
+        let leaves = size == Size::Full && reading.stiffness == 1.0;
+        if leaves {
+            at_most(
+                FREE.to_owned(),
+                value(found, FREE),
+                1e-9,
+                "beyond the block nothing touches the indenter",
+            );
+        }
         if reading.friction == 0.0 {
             continue;
         }
@@ -71,6 +81,14 @@ pub fn verdict(runs: &Runs<'_>) -> Verdict {
                 |(r, _): &&(Rung, RungResult)| r.variant == other.variant && r.cell == rung.cell;
             solved.iter().find(own)
         });
+        if leaves {
+            at_most(
+                format!("{LEFTWARD}, with friction over without"),
+                value(found, LEFTWARD) / value(without, LEFTWARD),
+                1.0,
+                "the paper: more pronounced without friction",
+            );
+        }
         for (name, figure, off) in ADDED {
             if size == Size::Quick && name != PRESSED {
                 continue;

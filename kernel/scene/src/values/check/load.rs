@@ -109,13 +109,6 @@ fn check_ground_beyond(scene: &Scene, problems: &mut Collector) {
             "no damping, or \"local\" or \"viscous\" damping",
         );
     }
-    if scene.mesh.axisymmetric {
-        problems.add(
-            "mesh.boundary_conditions",
-            "absorbing planes of an axisymmetric mesh, whose dashpots have no areas of rings yet",
-            "planes that do not absorb",
-        );
-    }
     if !scene.mortar.contacts.is_empty() {
         problems.add(
             "mesh.boundary_conditions",

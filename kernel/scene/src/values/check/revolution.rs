@@ -3,9 +3,7 @@
 use super::collector::Collector;
 use crate::values::{Body, Scene};
 use proctor_geometry::number::Number;
-use proctor_kernel::model::{
-    Dimension, History, Motion, PlaneCondition, TransferKind, VolumetricStrain,
-};
+use proctor_kernel::model::{Dimension, History, Motion, PlaneCondition, TransferKind};
 
 pub(super) fn check(scene: &Scene, problems: &mut Collector) {
     if !scene.mesh.axisymmetric {
@@ -64,13 +62,6 @@ fn check_method(scene: &Scene, problems: &mut Collector) {
             "transfer",
             "MLS in an axisymmetric scene",
             "FLIP, APIC or TPIC: the gradient of least squares has no form with the radius",
-        );
-    }
-    if scene.volumetric_strain == VolumetricStrain::CellAverage {
-        problems.add(
-            "volumetric_strain",
-            "cell_average in an axisymmetric scene",
-            "particle: means over cells have no axisymmetric form here",
         );
     }
     let mortar = &scene.mortar;

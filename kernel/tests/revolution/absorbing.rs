@@ -1,0 +1,130 @@
+//! Absorbing planes around an axis: dashpots have the areas of rings, and waves leave along the axis.
+
+use super::revolved;
+use crate::common::{DENSITY, SCHEMES, body, cuboid, elastic, material, simulation};
+use proctor_kernel::grid::GridShape;
+use proctor_scene::{BaseMotion, History, Motion, PlaneCondition, Scene, Weighting};
+use std::f64::consts::{PI, TAU};
+
+const YOUNG: f64 = 1.0e6;
+const POISSON: f64 = 0.25;
+const CELL: f64 = 0.1;
+/// Cells of the cylinder along its radius.
+const RADIUS: usize = 4;
+/// Cells of a pulse.
+const PULSE: usize = 20;
+
+/// Speeds of compression and of shear \[m/s\].
+fn speeds() -> [f64; 2] {
+    let shear = YOUNG / (2.0 * (1.0 + POISSON));
+    let lambda = YOUNG * POISSON / ((1.0 + POISSON) * (1.0 - 2.0 * POISSON));
+    [(lambda + 2.0 * shear) / DENSITY, shear / DENSITY].map(f64::sqrt)
+}
+
+/// A cylinder that fills a mesh of so many cells along the axis, whose ends absorb; its mantle slides.
+fn rod(cells: usize) -> Scene {
+    let mut scene = revolved([RADIUS, cells], CELL);
+    scene.mesh.planes[0][1] = PlaneCondition::Sliding;
+    scene.mesh.planes[1] = [PlaneCondition::Absorbing; 2];
+    let upper = [RADIUS as f64 * CELL, cells as f64 * CELL, 0.0];
+    scene.bodies = vec![body(1, cuboid([0.0; 3], upper))];
+    scene.bodies[0].particles_per_cell[2] = 1;
+    scene.materials = vec![material(elastic(YOUNG, POISSON))];
+    scene
+}
+
+/// Sums of rho c A over the nodes of a plane, of compression and of shear \[kg/s\].
+fn impedances(scene: &Scene, axis: usize, side: usize) -> [f64; 2] {
+    scene.check().expect("the scene is sound");
+    let simulation = simulation(scene);
+    let nodes = simulation.save().state.absorbing;
+    let [normal, along] = [axis, 1 - axis];
+    let shape = GridShape::new(&scene.mesh, scene.dimension);
+    let place = (side * shape.cells[axis]) as f64 * CELL;
+    let here = nodes
+        .iter()
+        .filter(|one| (shape.position(one.node)[axis] - place).abs() < 1e-9);
+    here.fold([0.0; 2], |sum, one| {
+        [
+            sum[0] + one.impedance[normal],
+            sum[1] + one.impedance[along],
+        ]
+    })
+}
+
+/// The dashpots of a disc have its area together, those of a mantle that of the mantle, whatever the functions.
+#[test]
+fn dashpots_have_the_areas_of_rings() {
+    let [compression, shear] = speeds();
+    let radius = RADIUS as f64 * CELL;
+    for weighting in [
+        Weighting::UniformGimp,
+        Weighting::Linear,
+        Weighting::QuadraticBSpline,
+    ] {
+        let mut disc = rod(6);
+        disc.weighting = weighting;
+        disc.mesh.planes[0][1] = PlaneCondition::Free;
+        for side in [0, 1] {
+            let found = impedances(&disc, 1, side);
+            let exact = [compression, shear].map(|c| DENSITY * c * PI * radius * radius);
+            for (found, exact) in found.into_iter().zip(exact) {
+                assert!(
+                    (found / exact - 1.0).abs() < 1e-12,
+                    "{weighting:?}: {found}, not {exact}"
+                );
+            }
+        }
+        let mut mantle = rod(6);
+        mantle.weighting = weighting;
+        mantle.mesh.planes[0][1] = PlaneCondition::Absorbing;
+        mantle.mesh.planes[1] = [PlaneCondition::Free; 2];
+        let found = impedances(&mantle, 0, 1);
+        let exact = [compression, shear].map(|c| DENSITY * c * TAU * radius * 6.0 * CELL);
+        for (found, exact) in found.into_iter().zip(exact) {
+            assert!(
+                (found / exact - 1.0).abs() < 1e-12,
+                "{weighting:?}: {found}, not {exact}"
+            );
+        }
+    }
+}
+
+/// A pulse along the axis leaves as in the plane: the bounds are those of *pulses_leave* there.
+#[test]
+fn a_pulse_along_the_axis_leaves() {
+    let period = PULSE as f64 * CELL / speeds()[0];
+    let count = 2000;
+    let times: Vec<f64> = (0..=count)
+        .map(|i| 3.0 * period * f64::from(i) / f64::from(count))
+        .collect();
+    let values = times.iter().map(|t| {
+        let a = (PI * (t / period - 1.5)).powi(2);
+        [
+            0.0,
+            1e-6 * CELL / period * (1.0 - 2.0 * a) * (-a).exp(),
+            0.0,
+        ]
+    });
+    let values = values.collect();
+    let wave = History { values, times };
+    for (scheme, most) in SCHEMES.into_iter().zip([2e-4, 2e-3, 2e-3]) {
+        let mut scene = rod(3 * PULSE);
+        scene.scheme = scheme;
+        scene.ground_beyond.incoming = Some(BaseMotion {
+            axis: 1,
+            side: 0,
+            motion: Motion::Velocity(wave.clone()),
+        });
+        scene.check().expect("the scene is sound");
+        let mut simulation = simulation(&scene);
+        simulation.run_until(3.0 * period).expect("all steps");
+        let before = simulation.energy();
+        simulation.run_until(6.0 * period).expect("all steps");
+        let after = simulation.energy();
+        let incident = before.kinetic + before.strain;
+        let reflected = (after.kinetic + after.strain) / incident;
+        assert!(incident > 0.0);
+        assert!(reflected < most, "{scheme:?}: {reflected}");
+    }
+}
