@@ -2,6 +2,7 @@
 
 use crate::common::{DIMENSIONS, body, cuboid, elastic, empty, material, options, run};
 use proctor_kernel::layout::Layout;
+use proctor_kernel::particles::ParticleSet;
 use proctor_scene::prelude::*;
 
 /// Two blocks that meet in flight, so that particles are sorted and strained.
@@ -25,7 +26,7 @@ fn flown(scene: &Scene, threads: usize) -> Simulation {
         ..options()
     };
     let mut simulation = Simulation::new(scene, &all).expect("a sound scene");
-    run(&mut simulation, 150);
+    run(&mut simulation, 60);
     simulation
 }
 
