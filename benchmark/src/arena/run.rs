@@ -233,6 +233,11 @@ fn summary(problem: Problem, line: &PeerLine, threads: usize, start: Start) -> R
     row.label(SOLVER, line.name.clone());
     row.count(START_UP, start.seconds);
     row.count(SPREAD, start.spread);
+    let reported = line.runs.iter().rev().find_map(|run| run.reported.as_ref());
+    if let (Some(reported), Some(measure)) = (reported, problem.measures().first()) {
+        row.report(measure.word, reported);
+        return row;
+    }
     let points: Vec<Option<At>> = line
         .runs
         .iter()

@@ -182,6 +182,9 @@ pub(crate) fn peer_rows(study: Study, peer: &PeerLine, run: &PeerRun, threads: u
             row.count("particles", particles as f64);
         }
         match (&run.error, study.measures().first()) {
+            (Ok(_), Some(measure)) if let Some(reported) = &run.reported => {
+                row.report(measure.word, reported);
+            }
             (Ok(error), Some(measure)) => row.count(format!("error_{}", measure.word), *error),
             (Ok(_), None) => {}
             (Err(reason), _) => row.fail(reason.clone()),

@@ -216,6 +216,7 @@ impl GuestScene {
                 let (v, ahead) = known.ok_or("no point data `Velocity` of 3 components")?;
                 (v, time + ahead * self.step)
             }
+            ComparedField::Stress => (normal_stresses(frame)?, time),
         };
         Ok(Snapshot {
             time,
@@ -223,4 +224,17 @@ impl GuestScene {
             values,
         })
     }
+}
+
+/// Normal stresses of the particles \[Pa\].
+fn normal_stresses(frame: &Frame) -> Result<Vec<[f64; 3]>, String> {
+    let one = |axis: &str| {
+        let name = format!("Stress_{axis}{axis}");
+        frame.scalars(&name).ok_or_else(|| {
+            format!("no point data `{name}` of one component; the case reads stresses")
+        })
+    };
+    let [x, y, z] = [one("X")?, one("Y")?, one("Z")?];
+    let all = x.iter().zip(y).zip(z);
+    Ok(all.map(|((x, y), z)| [*x, *y, *z]).collect())
 }
