@@ -78,7 +78,7 @@ fn every_study_hands_over_a_scene_that_can_be_written_or_says_why_not() {
             }
         }
     }
-    assert!(open.len() >= 17, "{open:?}");
+    assert!(open.len() >= 18, "{open:?}");
     assert!(
         open.contains("collapse") && open.contains("footing"),
         "{open:?}"
@@ -123,6 +123,8 @@ fn this_kernel_comes_near_the_exact_solutions() {
         ("staggered-start", 0.02),
         ("colliding-blocks", 0.1),
         ("inclined-two-blocks", 0.01),
+        // Three times what the project promises, with one cell over the height.
+        ("tilted-incline", 0.03),
         // Phases are late by some tenths of a radian after ten periods, and velocities lack the square of half of that.
         ("bar-energy", 0.1),
         // Two per cent at four times as many cells, and order 1.

@@ -22,11 +22,17 @@ const END: f64 = 1.5;
 /// The file beside a scene with loads on nodes: what they are integrated from.
 const TRACTIONS: &str = "tractions.csv";
 
-/// Names the record of the base with its folder: not every solver looks for it beside the scene.
+/// Words of a scene that name a file, by their blocks.
+const FILES: [[&str; 2]; 2] = [["earthquake", "file"], ["terrain_contact", "stl_mesh"]];
+
+/// Names a file of the scene with its folder: not every solver looks for it beside the scene.
 fn name_whole(scene: &mut Value, name: &str, folder: &Path) -> Result<(), String> {
-    if scene["earthquake"]["file"] == name {
-        let whole = std::path::absolute(folder.join(name)).map_err(|error| error.to_string())?;
-        scene["earthquake"]["file"] = whole.display().to_string().into();
+    for [block, word] in FILES {
+        if scene[block][word] == name {
+            let whole =
+                std::path::absolute(folder.join(name)).map_err(|error| error.to_string())?;
+            scene[block][word] = whole.display().to_string().into();
+        }
     }
     Ok(())
 }
