@@ -31,6 +31,7 @@ pub struct Reported {
 
 impl Reading {
     /// A number that `read` takes from the frames after the start, in the order of their times.
+    #[must_use]
     pub fn new(
         name: &'static str,
         reference: f64,
