@@ -240,7 +240,11 @@ fn normal_stresses(frame: &Frame) -> Result<Vec<[f64; 3]>, String> {
             format!("no point data `{name}` of one component; the case reads stresses")
         })
     };
-    let [x, y, z] = [one("X")?, one("Y")?, one("Z")?];
-    let all = x.iter().zip(y).zip(z);
-    Ok(all.map(|((x, y), z)| [*x, *y, *z]).collect())
+    let [x, y] = [one("X")?, one("Y")?];
+    // Solvers of two dimensions may have no third one.
+    let z = frame.scalars("Stress_ZZ");
+    let all = x.iter().zip(y).enumerate();
+    Ok(all
+        .map(|(i, (x, y))| [*x, *y, z.map_or(0.0, |z| z[i])])
+        .collect())
 }
