@@ -138,11 +138,11 @@ fn problems_are_folders_with_scene_values_and_a_readme() {
     let export = |cases: &[&str]| {
         proctor(&[&["export", "--format", "problems", &folder][..], cases].concat())
     };
-    let output = export(&["step-bar", "footing"]);
+    let output = export(&["sudden-weight", "footing"]);
     assert_eq!(code(&output), 0, "{}", stderr(&output));
     assert_eq!(stdout(&output), format!("5 problems in {folder}\n"));
     for (case, runs, values, words) in [
-        ("step-bar", 3, "exact.csv", "bound: `--bound`, else 1 %"),
+        ("sudden-weight", 3, "exact.csv", "bound: `--bound`, else 1 %"),
         (
             "footing",
             2,
@@ -159,7 +159,7 @@ fn problems_are_folders_with_scene_values_and_a_readme() {
         assert!(text.contains(words) && text.lines().count() <= 11, "{text}");
     }
     // Exact values at each time: those of the particles, and not of the start.
-    let table = found(&desk.path("problems/step-bar"), "exact.csv");
+    let table = found(&desk.path("problems/sudden-weight"), "exact.csv");
     let text = fs::read_to_string(&table[0]).expect("a table");
     assert!(
         text.starts_with("time_s,x_m,y_m,z_m,displacement_x,"),
