@@ -142,7 +142,12 @@ fn problems_are_folders_with_scene_values_and_a_readme() {
     assert_eq!(code(&output), 0, "{}", stderr(&output));
     assert_eq!(stdout(&output), format!("5 problems in {folder}\n"));
     for (case, runs, values, words) in [
-        ("sudden-weight", 3, "exact.csv", "bound: `--bound`, else 1 %"),
+        (
+            "sudden-weight",
+            3,
+            "exact.csv",
+            "bound: `--bound`, else 1 %",
+        ),
         (
             "footing",
             2,
