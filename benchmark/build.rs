@@ -5,11 +5,16 @@ use std::path::Path;
 use std::process::Command;
 
 /// Sources that decide the machine code, below the folder of the workspace. The commit of a binary is that of these.
-const SOURCES: [&str; 9] = [
+const SOURCES: [&str; 14] = [
     "Cargo.toml",
     "Cargo.lock",
     "kernel/Cargo.toml",
     "kernel/src",
+    "kernel/contact",
+    "kernel/files",
+    "kernel/geometry",
+    "kernel/laws",
+    "kernel/scene",
     "verification/Cargo.toml",
     "verification/src",
     "benchmark/Cargo.toml",

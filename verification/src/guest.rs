@@ -6,7 +6,10 @@
 //! place to place many small bodies. All are exact.
 
 mod plane;
+mod reading;
 pub(crate) mod start;
+
+pub use reading::{Reading, Reported};
 
 use proctor_scene::{
     Dimension, Field, Mesh, PlaneCondition, PointLoad, Results, Scene, Shape, TimeStep, Traction,
@@ -35,6 +38,8 @@ pub enum ComparedField {
     Displacement,
     /// Velocity \[m/s\].
     Velocity,
+    /// Normal components of the Cauchy stress, tension positive \[Pa\].
+    Stress,
 }
 
 /// Norm that makes one error of the differences of all particles.
@@ -65,6 +70,8 @@ pub struct Guest {
     pub exact: ExactField,
     /// The tractions that the loads on nodes are integrated from, for a solver whose functions are not one at their node.
     pub tractions: Vec<Traction>,
+    /// The number that is reported instead of an error, where no field of particles is exact.
+    pub reading: Option<Reading>,
 }
 
 /// A frame of a solver, as far as it is compared.
@@ -93,6 +100,7 @@ impl Guest {
             counts: Box::new(|_| true),
             exact: Box::new(move |starts, t| starts.iter().map(|x| exact(x, t)).collect()),
             tractions: vec![],
+            reading: None,
         }
     }
 
@@ -103,11 +111,14 @@ impl Guest {
         self
     }
 
-    /// Relative error of the frames of a solver.
+    /// Relative error of the frames of a solver; of a reading, its share beyond or below the reference.
     ///
     /// # Errors
     /// If there is no frame, no particle that counts, or no exact value to be relative to.
     pub fn error(&self, frames: &[Snapshot]) -> Result<f64, String> {
+        if let Some(reading) = &self.reading {
+            return reading.of(frames).map(|reported| reported.off());
+        }
         let first = if self.last_alone {
             frames.len().saturating_sub(1)
         } else {

@@ -5,6 +5,7 @@ use crate::bench::children::OWN;
 use crate::precision::cost::Cost;
 use crate::precision::findings::LEVELS;
 use crate::record::{Kind, Record, Row};
+use proctor_verification::guest::Reported;
 use std::collections::BTreeMap;
 
 /// Findings of the arena of a record.
@@ -14,6 +15,8 @@ pub struct Board {
     pub solvers: Vec<Solver>,
     /// Names of the cases, in the order in which they were run.
     pub cases: Vec<String>,
+    /// Those of them that report a number and have no error.
+    pub reports: Vec<String>,
     /// Cases that no solver could be given, each with its reason.
     pub broken: Vec<String>,
     cells: BTreeMap<(String, String), Cell>,
@@ -56,6 +59,8 @@ pub struct Cell {
     pub best: Option<f64>,
     /// Order of the error between its two finest runs.
     pub order: Option<f64>,
+    /// What it reports on the finest mesh, where the case is a report.
+    pub reported: Option<Reported>,
     /// Reason for which it skipped the case.
     pub skipped: Option<String>,
     /// Its runs, coarse to fine.
@@ -80,6 +85,7 @@ impl Board {
         let mut board = Self {
             solvers: solvers(record),
             cases: vec![],
+            reports: vec![],
             broken: vec![],
             cells: BTreeMap::new(),
         };
@@ -98,6 +104,9 @@ impl Board {
                 board.cases.push(case.clone());
             }
             let cell = cell(record, row, case, solver);
+            if cell.reported.is_some() && !board.reports.contains(case) {
+                board.reports.push(case.clone());
+            }
             board.cells.insert((case.clone(), solver.clone()), cell);
         }
         let is_empty = board.cases.is_empty() && board.broken.is_empty();
@@ -108,6 +117,12 @@ impl Board {
     #[must_use]
     pub fn cell(&self, case: &str, solver: &str) -> Option<&Cell> {
         self.cells.get(&(case.to_owned(), solver.to_owned()))
+    }
+
+    /// The cases with errors, in the order in which they were run.
+    pub fn judged(&self) -> impl Iterator<Item = &String> {
+        let cases = self.cases.iter();
+        cases.filter(|case| !self.reports.contains(case))
     }
 
     /// True for a row of this program.
@@ -193,6 +208,7 @@ fn cell(record: &Record, row: &Row, case: &str, solver: &str) -> Cell {
         costs,
         best: row.counters.get(SMALLEST).copied(),
         order: row.counters.get("observed_order").copied(),
+        reported: row.reported(),
         skipped: row.labels.get(SKIPPED).cloned(),
         meshes: meshes(record, case, solver, Start::of_row(row)),
     }
@@ -214,16 +230,15 @@ fn meshes(record: &Record, case: &str, solver: &str, start: Start) -> Vec<Mesh> 
             known.seconds = known.seconds.into_iter().chain(seconds).reduce(f64::min);
             continue;
         }
-        let error = row
-            .counters
-            .iter()
-            .find(|(key, _)| key.starts_with("error_"));
+        let mut counters = row.counters.iter();
+        let error = counters.find_map(|(key, error)| key.starts_with("error_").then_some(*error));
+        let error = error.or_else(|| Some(row.reported()?.off()));
         all.push(Mesh {
             cell,
             seconds,
             error: match (&row.error, error) {
                 (Some(reason), _) => Err(reason.clone()),
-                (None, Some((_, error))) => Ok(*error),
+                (None, Some(error)) => Ok(error),
                 (None, None) => Err("no error in the record".to_owned()),
             },
             particles: row.counters.get("particles").map(|n| *n as u64),

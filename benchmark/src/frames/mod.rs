@@ -27,6 +27,16 @@ pub struct Frame {
 }
 
 impl Frame {
+    /// A number of every point; the name is compared without regard to case.
+    #[must_use]
+    pub fn scalars(&self, name: &str) -> Option<&[f64]> {
+        let mut arrays = self.arrays.iter();
+        match arrays.find(|(known, _)| known.eq_ignore_ascii_case(name)) {
+            Some((_, (1, values))) => Some(values),
+            _ => None,
+        }
+    }
+
     /// A vector of every point; the name is compared without regard to case.
     #[must_use]
     pub fn vectors(&self, name: &str) -> Option<Vec<[f64; 3]>> {

@@ -15,6 +15,7 @@ use crate::record::{Row, key};
 use proctor_scene::Scene;
 use proctor_verification::case::{Rung, Size};
 use proctor_verification::convergence::{self, ConvergenceTable};
+use proctor_verification::guest::Reported;
 use proctor_verification::study::Study;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -100,6 +101,8 @@ pub struct PeerRun {
     pub particles: Option<usize>,
     /// Relative error of the first measure of the study, or why there is none.
     pub error: Result<f64, String>,
+    /// What is reported of it, where the case is open as a report.
+    pub reported: Option<Reported>,
 }
 
 impl PeerRun {
@@ -277,6 +280,7 @@ pub fn run(study: Study, peers: &[Peer], visit: &Visit<'_>) -> Result<Vec<PeerLi
                 samples: vec![],
                 particles: None,
                 error: Err(String::new()),
+                reported: None,
             };
             match peer.trusted(&guest.scene) {
                 Err(fault) => run.error = Err(fault),
@@ -291,14 +295,19 @@ pub fn run(study: Study, peers: &[Peer], visit: &Visit<'_>) -> Result<Vec<PeerLi
                             let own = peer.executable.name == OWN;
                             due = due.or(run.particles.filter(|_| own));
                             as_many(run.particles, due.map(|due| form.particles(due)))?;
+                            if let Some(reading) = &guest.reading {
+                                let reported = reading.of(&frames)?;
+                                let off = reported.off();
+                                run.reported = Some(reported);
+                                return Ok(off);
+                            }
                             if let Some(last) = frames.last() {
                                 let name =
                                     format!("{}-against-exact.vtu", key(&peer.executable.name));
                                 keep_fields(guest, last, &folder.join(name))?;
                             }
-                            guest.error(&frames)
-                        })
-                        .and_then(useful);
+                            guest.error(&frames).and_then(useful)
+                        });
                 }
             }
             if stop.load(Ordering::Relaxed) {

@@ -5,8 +5,8 @@ use crate::bench::children::{Calibration, GuestScene, own};
 use crate::record::key;
 use proctor_files::output::atomic;
 use proctor_verification::case::{Rung, Size};
-use proctor_verification::guest::{ComparedField, Guest, Norm, Snapshot};
-use proctor_verification::study::{self, Study};
+use proctor_verification::guest::{ComparedField, Guest, Norm, Reading, Reported, Snapshot};
+use proctor_verification::study::Study;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
@@ -17,16 +17,16 @@ const CALIBRATED: Calibration = Calibration {
     fall_ahead: 0.0,
 };
 
-/// Writes each run of the short study of each open case into a folder `CASE/RUN`: the scene, the exact values as CSV, and a
+/// Writes each run of the short study of some open cases into a folder `CASE/RUN`: the scene, the exact values as CSV, and a
 /// README. The folders, in the order of the cases.
 ///
 /// # Errors
 /// A file that cannot be written, or the reason for which this program cannot run a scene to say where its particles begin.
-pub fn write(folder: &Path, stop: &AtomicBool) -> Result<Vec<PathBuf>, String> {
+pub fn write(folder: &Path, studies: &[Study], stop: &AtomicBool) -> Result<Vec<PathBuf>, String> {
     let own = own().ok_or("this program does not know its own file")?;
     let desk = tempfile::TempDir::new().map_err(|error| error.to_string())?;
     let mut folders = vec![];
-    for study in study::open() {
+    for &study in studies {
         for rung in study.path(Size::Quick) {
             let Ok(guest) = study.guest(&rung) else {
                 continue;
@@ -49,6 +49,7 @@ fn compared(guest: &Guest) -> (&'static str, &'static str) {
     match guest.compared {
         ComparedField::Displacement => ("displacement", "m"),
         ComparedField::Velocity => ("velocity", "m/s"),
+        ComparedField::Stress => ("stress", "Pa"),
     }
 }
 
@@ -63,6 +64,10 @@ fn problem(
     std::fs::create_dir_all(folder)?;
     for (name, text) in handed.texts() {
         std::fs::write(folder.join(name), text)?;
+    }
+    if let Some(reading) = &guest.reading {
+        let name = (study.name(), rung, study.case.question());
+        return to_report(name, guest, reading, folder);
     }
     let (what, unit) = compared(guest);
     let mut table = format!("time_s,x_m,y_m,z_m,{what}_x,{what}_y,{what}_z\n");
@@ -106,16 +111,50 @@ fn problem(
     std::fs::write(folder.join("README.md"), text)
 }
 
-/// The relative error of frames that lie in a folder, on a run of a case.
+/// The files beside the scene of a problem whose number is reported: the reference, and a README.
+fn to_report(
+    (name, rung, question): (&str, &Rung, &str),
+    guest: &Guest,
+    reading: &Reading,
+    folder: &Path,
+) -> std::io::Result<()> {
+    let table = format!(
+        "number,reference,source\n{},{},\"{}\"\n",
+        reading.name, reading.reference, reading.source
+    );
+    std::fs::write(folder.join("reference.csv"), table)?;
+    let needed = match guest.compared {
+        ComparedField::Stress => {
+            "`Displacement` (m) and `Stress_XX` and `Stress_YY` (Pa, tension positive)"
+        }
+        ComparedField::Displacement | ComparedField::Velocity => "`Displacement` (m)",
+    };
+    let text = format!(
+        "# {name}, {label}\n\n{question}\n\n\
+         - `scene.json`: the problem, SI units; `proctor keys WORD` explains its words.\n\
+         - `reference.csv`: the number that is read off the frames, {number}, and its reference: {source}.\n\
+         - Frames are `.vtu` files with point data {needed}, with a `.pvd` of their times; {count} of them.\n\
+         - Reported by `proctor judge {name} FRAMES --run {key}`; no bound, but that of `--bound`.\n",
+        label = rung.label,
+        number = reading.name,
+        source = reading.source,
+        count = guest.scene.results.print,
+        key = key(&rung.label),
+    );
+    std::fs::write(folder.join("README.md"), text)
+}
+
+/// The relative error of frames that lie in a folder, on a run of a case; what is reported, where it has no exact field.
 ///
 /// # Errors
 /// If there is none.
-pub fn judge(study: Study, rung: &Rung, frames: &Path) -> Result<f64, String> {
+pub fn judge(study: Study, rung: &Rung, frames: &Path) -> Result<(f64, Option<Reported>), String> {
     let guest = study.guest(rung)?;
     let handed = GuestScene::new(&guest)?;
     let own = own().ok_or("this program does not know its own file")?;
     let frames = handed.read(&guest, own.time_label, &CALIBRATED, frames)?;
-    guest.error(&frames)
+    let reported = guest.reading.as_ref().map(|reading| reading.of(&frames));
+    Ok((guest.error(&frames)?, reported.transpose()?))
 }
 
 /// Writes exact values and the error of each particle beside the frames of a solver, for its last frame.

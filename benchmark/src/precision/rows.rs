@@ -181,10 +181,13 @@ pub(crate) fn peer_rows(study: Study, peer: &PeerLine, run: &PeerRun, threads: u
         if let Some(particles) = run.particles {
             row.count("particles", particles as f64);
         }
-        match (&run.error, study.measures().first()) {
-            (Ok(error), Some(measure)) => row.count(format!("error_{}", measure.word), *error),
-            (Ok(_), None) => {}
-            (Err(reason), _) => row.fail(reason.clone()),
+        match (&run.error, study.measures().first(), &run.reported) {
+            (Ok(_), Some(measure), Some(reported)) => row.report(measure.word, reported),
+            (Ok(error), Some(measure), None) => {
+                row.count(format!("error_{}", measure.word), *error);
+            }
+            (Ok(_), None, _) => {}
+            (Err(reason), _, _) => row.fail(reason.clone()),
         }
         row
     };

@@ -17,6 +17,7 @@ pub mod otava;
 mod read;
 mod refined;
 pub mod renamed;
+mod reported;
 pub(crate) mod row;
 mod series;
 pub mod summary;

@@ -3,7 +3,7 @@
 use super::gate::GateRow;
 use super::{Kind, Record, Row};
 use crate::show::comparison::escaped;
-use crate::show::{percent, seconds};
+use crate::show::{number, percent, seconds};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -135,7 +135,11 @@ pub fn error_of(row: &Row) -> String {
     match (&row.error, error) {
         (Some(_), _) => "failed".to_owned(),
         (None, Some((_, error))) => percent(*error),
-        (None, None) => "-".to_owned(),
+        // A number that is reported is no error.
+        (None, None) => row.reported().map_or_else(
+            || "-".to_owned(),
+            |found| format!("{} {}", found.name, number(found.value)),
+        ),
     }
 }
 
@@ -163,12 +167,12 @@ fn solvers(record: &Record) -> String {
             ),
         );
     }
-    let mut reasons: Vec<&str> = record
-        .rows
-        .iter()
-        .filter(|row| solver(row).is_some())
-        .filter_map(|row| row.error.as_deref())
-        .collect();
+    let told = |row: &Row| {
+        let (solver, reason) = (solver(row)?, row.error.as_deref()?);
+        let case = row.labels.get("case").map_or("", String::as_str);
+        Some(format!("{case}, {solver}: {reason}"))
+    };
+    let mut reasons: Vec<String> = record.rows.iter().filter_map(told).collect();
     reasons.dedup();
     for reason in reasons.iter().take(LISTED) {
         let _ = writeln!(text, "\n- {}", escaped(reason));

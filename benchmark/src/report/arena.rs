@@ -48,8 +48,16 @@ pub fn section(record: &Record, pictures: &mut Pictures) -> Option<Section> {
         let charts: Vec<Figure> = charts.collect();
         // Pictures first: on a narrow page each line of the table is a block, and a board of all cases has a hundred of them.
         body.push_str(&pictures.several("Arena", &charts));
-        let caption = "CPU to an error, and the smallest error reached";
-        body.push_str(&as_html(caption, &show::arena::cases(&board, true)));
+        if board.judged().next().is_some() {
+            let caption = "CPU to an error, and the smallest error reached";
+            body.push_str(&as_html(caption, &show::arena::cases(&board, true)));
+        }
+        if !board.reports.is_empty() {
+            body.push_str(&as_html(
+                show::arena::REPORTS,
+                &show::arena::reports(&board),
+            ));
+        }
         let reasons: String = show::arena::reasons(&board)
             .iter()
             .map(|reason| paragraph(reason))

@@ -168,6 +168,12 @@ impl Table {
             .push((Some(class), cells.into_iter().map(Into::into).collect()));
     }
 
+    /// True for a column with a number in it.
+    fn is_of_numbers(&self, column: usize) -> bool {
+        let mut cells = self.rows.iter().filter_map(|(_, cells)| cells.get(column));
+        cells.any(|cell| is_number(&cell.text))
+    }
+
     /// The table, in a frame that scrolls sideways by keyboard, touch or mouse should the page be narrower than it.
     #[must_use]
     pub fn html(&self) -> String {
@@ -176,11 +182,13 @@ impl Table {
             "<div class=\"scroll\" role=\"region\" aria-label=\"{caption}\" tabindex=\"0\">\n<table>\n\
              <caption>{caption}</caption>\n<thead><tr>"
         );
-        for cell in &self.head {
-            let class = if cell.chars().count() < SHORT_HEAD {
-                " class=\"short\""
-            } else {
-                ""
+        for (column, cell) in self.head.iter().enumerate() {
+            let is_short = cell.chars().count() < SHORT_HEAD;
+            let class = match (is_short, column > 0 && self.is_of_numbers(column)) {
+                (true, true) => " class=\"short number\"",
+                (true, false) => " class=\"short\"",
+                (false, true) => " class=\"number\"",
+                (false, false) => "",
             };
             let _ = write!(html, "<th scope=\"col\"{class}>{}</th>", escape(cell));
         }
@@ -200,6 +208,8 @@ impl Table {
                 }
                 let class = match cell.text.chars().count() {
                     _ if is_number(&cell.text) => " class=\"number\"",
+                    // What a column of numbers lacks stands where they stand.
+                    _ if cell.text == "-" && self.is_of_numbers(column) => " class=\"number\"",
                     0..SHORT => " class=\"short\"",
                     _ => "",
                 };

@@ -6,6 +6,7 @@ use crate::arena::{Board, Cell};
 use crate::precision::cost::Cost;
 use crate::precision::peers::stays;
 use crate::record::Record;
+use proctor_verification::guest::Reported;
 use std::io::{self, Write};
 
 /// Columns of a terminal from which on the table has more of them.
@@ -25,9 +26,66 @@ pub fn board(board: &Board, out: &mut dyn Write) -> io::Result<()> {
         2,
         out,
     )?;
-    writeln!(out, "\nCPU to an error, and the smallest error reached\n")?;
-    write!(out, "{}", cases(board, columns() >= WIDE))?;
+    if board.judged().next().is_some() {
+        writeln!(out, "\nCPU to an error, and the smallest error reached\n")?;
+        write!(out, "{}", cases(board, columns() >= WIDE))?;
+    }
+    if !board.reports.is_empty() {
+        writeln!(out, "\n{REPORTS}\n")?;
+        write!(out, "{}", reports(board))?;
+    }
     failures(board, out)
+}
+
+/// Title of the table of reports.
+pub const REPORTS: &str =
+    "Reports, without a bound: a number of the finest mesh beside its reference";
+
+/// A number that is reported, in words: `run-out over width 1.93, 7.2 % above 1.8 (experiments)`.
+#[must_use]
+pub fn reported(reported: &Reported) -> String {
+    let side = if reported.value < reported.reference {
+        "below"
+    } else {
+        "above"
+    };
+    format!(
+        "{} {}, {} {side} {} ({})",
+        reported.name,
+        number(reported.value),
+        percent(reported.off()),
+        number(reported.reference),
+        reported.source
+    )
+}
+
+/// The numbers that are reported: below the name of each case a line for each solver.
+#[must_use]
+pub fn reports(board: &Board) -> Table {
+    let mut table = Table::new(["case, solver", "found", "reference", "off"]);
+    for case in &board.reports {
+        let lines = board
+            .solvers
+            .iter()
+            .filter_map(|solver| Some((solver, board.cell(case, &solver.name)?)));
+        let name = lines.clone().find_map(|(_, cell)| cell.reported.as_ref());
+        let name = name.map_or("", |reported| reported.name.as_str());
+        table.push([format!("{case}: {name}")]);
+        for (solver, cell) in lines {
+            let name = with_method(&solver.name, &solver.method);
+            let mut line = vec![format!("  {}", shortened(&name, NAME))];
+            match &cell.reported {
+                Some(reported) => line.extend([
+                    number(reported.value),
+                    number(reported.reference),
+                    percent(reported.off()),
+                ]),
+                None => line.extend(found(cell, false).into_iter().take(1)),
+            }
+            table.push(line);
+        }
+    }
+    table
 }
 
 /// The solvers that took part.
@@ -91,7 +149,7 @@ pub fn cases(board: &Board, wide: bool) -> Table {
         heads.extend(["order", "finest", "particles", "CPU"]);
     }
     let mut table = Table::new(heads);
-    for case in &board.cases {
+    for case in board.judged() {
         table.push([case.clone()]);
         for solver in &board.solvers {
             if let Some(cell) = board.cell(case, &solver.name) {
@@ -174,6 +232,9 @@ pub fn reasons(board: &Board) -> Vec<String> {
             };
             if let Some(reason) = cell.failure() {
                 add(format!("FAIL  {name}: {reason}"), Some(case));
+            }
+            if cell.reported.is_some() {
+                continue;
             }
             let finest = cell.meshes.last().and_then(|mesh| mesh.error.clone().ok());
             if let Some(note) = finest.and_then(|error| stays(cell.order, error)) {

@@ -214,6 +214,26 @@ impl Table {
         &self.lines
     }
 
+    /// The table without the columns of some headings.
+    #[must_use]
+    pub fn without(&self, headings: &[&str]) -> Self {
+        let head = self.lines.first().map_or(&[][..], Vec::as_slice);
+        let is_kept = |column: usize| {
+            head.get(column)
+                .is_none_or(|heading| !headings.contains(&heading.as_str()))
+        };
+        let lines = self.lines.iter().map(|line| {
+            let cells = line.iter().enumerate();
+            cells
+                .filter(|(column, _)| is_kept(*column))
+                .map(|(_, cell)| cell.clone())
+                .collect()
+        });
+        Self {
+            lines: lines.collect(),
+        }
+    }
+
     /// Adds a line; cells that are missing at its end stay empty.
     pub fn push<S: Into<String>>(&mut self, cells: impl IntoIterator<Item = S>) {
         self.lines.push(cells.into_iter().map(Into::into).collect());
@@ -322,6 +342,15 @@ mod tests {
         assert_eq!(in_words(sentence, 32), "stress less that of the closed …");
         assert_eq!(in_words(sentence, 31), "stress less that of the …");
         assert_eq!(in_words("short", 5), "short");
+    }
+
+    #[test]
+    fn a_table_loses_the_columns_that_are_named() {
+        let mut table = Table::new(["h", "steps", "error"]);
+        table.push(["1/8", "7", "0.5"]);
+        table.push(["1/16"]);
+        let narrow = table.without(&["steps", "none"]);
+        assert_eq!(narrow.to_string(), "  h     error\n  1/8     0.5\n  1/16\n");
     }
 
     #[test]

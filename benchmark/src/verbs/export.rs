@@ -1,5 +1,7 @@
 //! `proctor export`: a record in the shape of another tool.
 
+use super::names;
+use crate::arena;
 use crate::book;
 use crate::exit::{Failure, Outcome};
 use crate::history::{self, History};
@@ -24,7 +26,7 @@ use std::path::{Path, PathBuf};
     For the tests of a pull request: proctor export --format junit record.json --out junit.xml"
 )]
 pub struct Export {
-    /// Record, or a folder of records; for otava any number of them
+    /// Record, or a folder of records; for otava any number of them; for problems a folder, and cases
     #[arg(required = true)]
     record: Vec<PathBuf>,
     /// Shape of the export
@@ -54,7 +56,7 @@ enum Shape {
     Summary,
     /// A badge for the endpoint of shields.io
     Badge,
-    /// Cases for solvers that read no scene of ours: RECORD is the folder that is written
+    /// Cases for solvers that read no scene of ours: RECORD is the folder that is written; cases may follow [default: all]
     Problems,
     /// Generated pages and drawings of the book, into the folder of --out; the first record that holds a case counts
     Book,
@@ -97,15 +99,25 @@ impl Export {
 }
 
 impl Export {
-    /// A folder per run of each open case.
+    /// A folder per run of each open case, or of those that are named behind the folder.
     fn problems(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
-        let [folder] = self.record.as_slice() else {
+        let [folder, cases @ ..] = self.record.as_slice() else {
             return Err(Failure::BadInput(
-                "found several folders; accepted: one".to_owned(),
+                "found no folder; accepted: one".to_owned(),
             ));
         };
+        let cases: Vec<String> = cases
+            .iter()
+            .map(|case| case.display().to_string())
+            .collect();
+        let (problems, closed) = arena::open(names::open(&cases)?);
+        if let Some((name, reason)) = closed.first().filter(|_| !cases.is_empty()) {
+            let message = format!("{name}: not for other solvers: {reason}");
+            return Err(Failure::BadInput(message));
+        }
         let interrupt = Interrupt::listen()?;
-        let folders = problems::write(folder, interrupt.flag()).map_err(Failure::BadInput)?;
+        let written = problems::write(folder, &problems, interrupt.flag());
+        let folders = written.map_err(Failure::BadInput)?;
         writeln!(out, "{} problems in {}", folders.len(), folder.display())?;
         Ok(Outcome::Fine)
     }

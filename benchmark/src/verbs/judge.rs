@@ -5,7 +5,7 @@ use crate::exit::{Failure, Outcome};
 use crate::precision::bounds::Bound;
 use crate::precision::problems;
 use crate::record::key;
-use crate::show::percent;
+use crate::show::{arena as show, percent};
 use clap::Args;
 use proctor_verification::case::{Rung, Size};
 use proctor_verification::study;
@@ -30,7 +30,8 @@ pub struct Judge {
     /// Run of the case, as its folder is called [default: the finest of the short study]
     #[arg(long, value_name = "RUN")]
     run: Option<String>,
-    /// Largest relative error [default: 1%]
+    /// Largest relative error; of a case that is a report, the share by which the number may be off its reference
+    /// [default: 1%, of a report none]
     #[arg(long, value_name = "SHARE")]
     bound: Option<String>,
 }
@@ -67,14 +68,26 @@ impl Judge {
                 names.join(", ")
             )));
         };
-        let bound = self
-            .bound
-            .as_deref()
-            .map(share)
-            .transpose()?
-            .unwrap_or(BOUND);
-        let error = problems::judge(*study, rung, &self.frames)
+        let bound = self.bound.as_deref().map(share).transpose()?;
+        let (error, reported) = problems::judge(*study, rung, &self.frames)
             .map_err(|reason| Failure::BadInput(format!("{}: {reason}", self.frames.display())))?;
+        if let Some(reported) = reported {
+            let words = show::reported(&reported);
+            let head = format!("{}, {}: {words}", self.case, rung.label);
+            let Some(bound) = bound else {
+                writeln!(out, "REPORT  {head}")?;
+                return Ok(Outcome::Fine);
+            };
+            let holds = error <= bound;
+            let word = if holds { "PASS" } else { "FAIL" };
+            writeln!(out, "{word}  {head}; off by at most {}", percent(bound))?;
+            return Ok(if holds {
+                Outcome::Fine
+            } else {
+                Outcome::Failed
+            });
+        }
+        let bound = bound.unwrap_or(BOUND);
         let holds = error <= bound;
         let word = if holds { "PASS" } else { "FAIL" };
         writeln!(

@@ -5,12 +5,13 @@ use proctor_benchmark::frames::Frame;
 use proctor_files::json::from_json;
 use std::collections::BTreeMap;
 
-const ALL: [Word; 5] = [
+const ALL: [Word; 6] = [
     Word::Planes,
     Word::NodalLoads,
     Word::KineticDamping,
     Word::MovingBase,
     Word::Contact,
+    Word::Surface,
 ];
 
 /// A frame of particles that began at the first and went by the second (m).
@@ -31,15 +32,14 @@ fn the_problems_of_words_are_sound_scenes_that_use_them() {
     for word in ALL {
         for axes in [2, 3] {
             let Some(scene) = word.scene(axes) else {
-                assert_eq!((word, axes), (Word::MovingBase, 2));
+                assert!(matches!(word, Word::MovingBase | Word::Surface) && axes == 2);
                 continue;
             };
-            // The record of a moving base lies beside its scene.
-            if word == Word::MovingBase {
-                continue;
+            let folder = tempfile::tempdir().expect("a folder");
+            if let Some((_, name, text)) = word.file() {
+                std::fs::write(folder.path().join(name), text).expect("written");
             }
-            let here = std::path::Path::new(".");
-            let scene = from_json(&scene.to_string(), "word", here)
+            let scene = from_json(&scene.to_string(), "word", folder.path())
                 .unwrap_or_else(|error| panic!("{word:?}: {error}"));
             assert!(Word::of(&scene).contains(&word), "{word:?}");
             scene
@@ -68,7 +68,7 @@ fn a_word_that_does_not_act_is_told_from_one_that_does() {
     // The base goes with 2 m/s².
     let shaken = 0.04 * 0.04;
     let upper = [0.4, 0.15, 0.4];
-    let cases: [Case<'_>; 12] = [
+    let cases: [Case<'_>; 15] = [
         (
             Word::Planes,
             vec![(low, flown), (high, [1e-4, 0.0, 0.0])],
@@ -112,6 +112,17 @@ fn a_word_that_does_not_act_is_told_from_one_that_does() {
             Word::Contact,
             vec![(low, rests), (upper, [0.002, 0.0, 0.0])],
             Some("`contact` does not act"),
+        ),
+        (Word::Surface, vec![(upper, [0.01, -1e-4, 0.0])], None),
+        (
+            Word::Surface,
+            vec![(upper, [0.01, -0.5 * 9.81 * 0.04 * 0.04, 0.0])],
+            Some("`terrain_contact` does not act: a body on triangles falls by 0.007848 m"),
+        ),
+        (
+            Word::Surface,
+            vec![(upper, rests)],
+            Some("`terrain_contact` holds a body"),
         ),
     ];
     for (word, moved, fault) in cases {

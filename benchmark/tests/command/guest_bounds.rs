@@ -125,6 +125,16 @@ fn the_list_says_which_cases_are_open_and_what_each_needs() {
     );
     assert!(line("plastic-wave").contains("plasticity"), "{text}");
     assert!(text.contains("cases are open to other solvers"), "{text}");
+    // Two of them as reports: what a solver writes for the second stands in its line.
+    assert!(
+        line("footing").ends_with("stresses") && line("collapse").contains("2D or 3D"),
+        "{text}"
+    );
+    let (_, reports) = text.split_once("\nReports: ").expect("reports");
+    assert!(
+        reports.contains("collapse: run-out over width; experiments of Lube et al. 2005"),
+        "{text}"
+    );
     assert!(
         text.lines().all(|line| line.chars().count() <= 80),
         "{text}"

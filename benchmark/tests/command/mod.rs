@@ -22,6 +22,8 @@ mod geomechanics;
 #[cfg(unix)]
 mod guest_bounds;
 #[cfg(unix)]
+mod guest_reports;
+#[cfg(unix)]
 mod guest_words;
 mod guests;
 mod history;

@@ -9,7 +9,13 @@ use std::collections::BTreeSet;
 /// Lists whose entries have words of their own.
 const LISTS: [&str; 2] = ["body", "contact"];
 /// Blocks with words of their own.
-const BLOCKS: [&str; 4] = ["mesh", "damping", "earthquake", "results"];
+const BLOCKS: [&str; 5] = [
+    "mesh",
+    "damping",
+    "earthquake",
+    "results",
+    "terrain_contact",
+];
 
 #[test]
 fn every_word_of_scenes_for_other_solvers_is_in_their_table() {

@@ -8,8 +8,11 @@ mod found;
 mod guests;
 mod links;
 mod names;
+mod packages;
 mod promises;
 mod scripts;
+#[cfg(unix)]
+mod workflows;
 
 use std::fs;
 use std::path::{Path, PathBuf};

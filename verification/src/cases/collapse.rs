@@ -9,6 +9,9 @@
 //!
 //! Sand: Mohr and Coulomb, 30°, no cohesion, no dilation, at rest between its walls before. E is 200 times the stress at the
 //! base, so that the column is strained by half a percent. `proctor verify collapse`.
+//!
+//! Other solvers run the column of H/d = 0.75 as a report: their run-out stands beside that of the experiments and has no bound.
+//! No scene of the manuals has a stress at the start, so that theirs is let go before it is strained.
 
 use super::prelude::*;
 use super::vocabulary::run_out::{self, FRONT, RunOut, TOP};
@@ -135,7 +138,49 @@ pub static COLLAPSE: Case = Case::new(
 .run(compare)
 .judge_by(judge)
 .wrong_references(&[WRONG_WORK])
-.no_study("nothing exact is known of a heap but balances, which hold whatever the settings");
+.no_study("nothing exact is known of a heap but balances, which hold whatever the settings")
+.guests_along(&Plan::new(
+    Ladder::variants(&["H/d=0.75"], ", ", "1/h", WIDTH, [&[8, 16], &[8, 16, 32]]),
+    &[Measure::new("run-out", BEYOND)],
+    2,
+))
+.guest(|rung| Ok(let_go(rung)));
+
+/// The column without a stress at the start, and its run-out by the last frame.
+fn let_go(rung: &Rung) -> Guest {
+    let column = Column::of(rung);
+    let mut scene = scene(rung, &guest::settings());
+    let method = guest::settings().method.with_transfer(METHOD.transfer);
+    Settings::new(method)
+        .courant(guest::COURANT)
+        .apply(&mut scene);
+    scene.name = "collapse".to_owned();
+    for body in &mut scene.bodies {
+        body.initial_stress = InitialStress::None;
+    }
+    let scene = guest::slab(scene);
+    let stiffness = STIFFNESS * GRAVITY * column.height() * (1.0 - POISSON)
+        / ((1.0 + POISSON) * (1.0 - 2.0 * POISSON));
+    let step = guest::COURANT * rung.cell / stiffness.sqrt();
+    let (mesh, width) = (scene.mesh.clone(), column.width);
+    let half = 0.5 * mesh.cell[0] / scene.bodies[0].particles_per_cell[0] as f64;
+    let run_out = move |frames: &[Snapshot]| {
+        let Some(last) = frames.last() else {
+            return f64::NAN;
+        };
+        let moved = last.starts.iter().zip(&last.values);
+        let places = moved.map(|(x, u)| std::array::from_fn(|axis| x[axis] + u[axis]));
+        let columns = run_out::columns_of(&mesh, half, places);
+        let front = columns.last().map_or(f64::NAN, |column| column[0]);
+        front / width - 1.0
+    };
+    let source = "experiments of Lube et al. 2005";
+    let reading = Reading::new(BEYOND, column.published()[0], source, run_out);
+    Guest {
+        reading: Some(reading),
+        ..Guest::new(guest::prepared(scene, guest::FRAMES, step), |_, _| [0.0; 3]).at_the_end()
+    }
+}
 
 fn found(rung: &Rung, mut run: RunOut) -> Measurements {
     let column = Column::of(rung);

@@ -21,6 +21,8 @@
 //! for any modulus, and no change of shape is in it. Linear functions: a domain that reached past the surface would have
 //! nodes there which nothing holds. `proctor verify footing`.
 
+mod pressed;
+
 use super::prelude::*;
 use super::vocabulary::moved::smooth;
 use super::vocabulary::press::Press;
@@ -190,7 +192,9 @@ pub static FOOTING: Case = Case::new("footing", "What does ground carry below a 
     .judge_by(judge)
     .wrong_references(&[WRONG_STRENGTH, STRONGER, WRONG_FRICTION])
 .refer_by(refer)
-    .no_study("its load is a limit that means over cells decide, which are no setting of a study, and a run takes minutes");
+    .no_study("its load is a limit that means over cells decide, which are no setting of a study, and a run takes minutes")
+    .guests_along(&pressed::PATH)
+    .guest(|rung| Ok(pressed::pressed(rung)));
 
 /// The exact pressure at which the ground of a rung gives way \[Pa\], as the case refers to it.
 fn exact_load(reference: Reference, rung: &Rung) -> f64 {

@@ -16,7 +16,7 @@ pub(crate) use proctor_scene::simulation::{
 };
 pub(crate) use proctor_scene::{
     BaseMotion, Body, BodyBoundary, BoxLoad, Contact, ContactNormal, Damping, Dimension,
-    DomainUpdate, HeldBox, History, InitialPressure, InitialStress, Material, Mesh, Mortar,
+    DomainUpdate, Field, HeldBox, History, InitialPressure, InitialStress, Material, Mesh, Mortar,
     MortarContact, Motion, ParticleSeed, PlaneCondition, PointLoad, PoreWater, Results,
     RigidFacets, RigidLine, RigidSurface, Scene, Shape, StressScheme, TimeStep, Traction,
     TransferKind, Vector, Vertices, VolumetricStrain, Weighting,
@@ -38,6 +38,6 @@ pub(crate) use crate::case::{
     Size, Verdict,
 };
 pub(crate) use crate::convergence::relative_l2;
-pub(crate) use crate::guest::{self, ComparedField, Guest, Norm};
+pub(crate) use crate::guest::{self, ComparedField, Guest, Norm, Reading, Snapshot};
 pub(crate) use crate::settings::{Method, Settings};
 pub(crate) use crate::study::{Failure, Measure, Observer, Phase, few};

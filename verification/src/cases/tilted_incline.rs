@@ -103,7 +103,40 @@ pub static TILTED_INCLINE: Case = Case::new("tilted-incline", "Does a block slid
         Measure::new("displacement", WAY),
         Measure::new("acceleration", ACCELERATION),
     ], 2)])
-    .no_guest("its block settles on a rough plane before friction changes, and a scene file has one friction for all of a run");
+    .guest(|rung| Ok(released_at_once(rung)));
+
+/// A scene file has one friction for all of a run, so the block is released at once, and compared as an elastic one. Its rows are
+/// parallel to the plane: each particle is a body of half a cell.
+fn released_at_once(rung: &Rung) -> Guest {
+    let problem = *rung.problem::<Problem>();
+    let (h, frame) = (rung.cell, Frame::new(rung.cell, problem.turned));
+    let settings = guest::settings();
+    let mut scene = scene(rung, &settings, Reference::CORRECT);
+    scene.time = TIME;
+    let per_cell = settings.particles_per_cell;
+    let half = 0.5 * h / per_cell as f64;
+    let pieces = frame.seeds(h, per_cell).into_iter().enumerate();
+    let pieces = pieces.map(|(i, seed)| {
+        let [low, high] = [-half, half].map(|away| seed.position.map(|x| x + away));
+        Body {
+            particles_per_cell: [per_cell; 3],
+            ..body(format!("piece {}", i + 1), i as i64 + 1, cuboid(low, high))
+        }
+    });
+    scene.bodies = pieces.collect();
+    let material = &scene.materials[0];
+    let step = guest::COURANT * h / material.law.wave_speed(material.density);
+    let (slope, speed) = (exact(&problem), shear_wave_speed(problem.young));
+    let down = frame.down;
+    let slid = move |_: &Vector, t| {
+        let way = slope.elastic_displacement(t, HEIGHT, speed);
+        down.map(|along| along * way)
+    };
+    Guest {
+        norm: Norm::Mean(0),
+        ..Guest::new(guest::prepared(scene, 1, step), slid).at_the_end()
+    }
+}
 
 /// Problem of a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

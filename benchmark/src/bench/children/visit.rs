@@ -22,11 +22,17 @@ const END: f64 = 1.5;
 /// The file beside a scene with loads on nodes: what they are integrated from.
 const TRACTIONS: &str = "tractions.csv";
 
-/// Names the record of the base with its folder: not every solver looks for it beside the scene.
+/// Words of a scene that name a file, by their blocks.
+const FILES: [[&str; 2]; 2] = [["earthquake", "file"], ["terrain_contact", "stl_mesh"]];
+
+/// Names a file of the scene with its folder: not every solver looks for it beside the scene.
 fn name_whole(scene: &mut Value, name: &str, folder: &Path) -> Result<(), String> {
-    if scene["earthquake"]["file"] == name {
-        let whole = std::path::absolute(folder.join(name)).map_err(|error| error.to_string())?;
-        scene["earthquake"]["file"] = whole.display().to_string().into();
+    for [block, word] in FILES {
+        if scene[block][word] == name {
+            let whole =
+                std::path::absolute(folder.join(name)).map_err(|error| error.to_string())?;
+            scene[block][word] = whole.display().to_string().into();
+        }
     }
     Ok(())
 }
@@ -216,6 +222,7 @@ impl GuestScene {
                 let (v, ahead) = known.ok_or("no point data `Velocity` of 3 components")?;
                 (v, time + ahead * self.step)
             }
+            ComparedField::Stress => (normal_stresses(frame)?, time),
         };
         Ok(Snapshot {
             time,
@@ -223,4 +230,21 @@ impl GuestScene {
             values,
         })
     }
+}
+
+/// Normal stresses of the particles \[Pa\].
+fn normal_stresses(frame: &Frame) -> Result<Vec<[f64; 3]>, String> {
+    let one = |axis: &str| {
+        let name = format!("Stress_{axis}{axis}");
+        frame.scalars(&name).ok_or_else(|| {
+            format!("no point data `{name}` of one component; the case reads stresses")
+        })
+    };
+    let [x, y] = [one("X")?, one("Y")?];
+    // Solvers of two dimensions may have no third one.
+    let z = frame.scalars("Stress_ZZ");
+    let all = x.iter().zip(y).enumerate();
+    Ok(all
+        .map(|(i, (x, y))| [*x, *y, z.map_or(0.0, |z| z[i])])
+        .collect())
 }

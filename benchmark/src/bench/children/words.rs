@@ -28,8 +28,9 @@ const UPWARDS: f64 = 1.0;
 const SHAKEN: f64 = 2.0;
 /// Density \[kg/m³\].
 const DENSITY: f64 = 1000.0;
-/// File of the record of the base, beside the scene.
+/// Files beside a scene: the record of the base, and the triangles of a surface, one cell above the lower plane.
 const RECORD: &str = "word-base.csv";
+const SURFACE: &str = "word-surface.stl";
 
 /// A word of scenes that changes the problem.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -44,6 +45,8 @@ pub enum Word {
     MovingBase,
     /// `contact`.
     Contact,
+    /// `terrain_contact`.
+    Surface,
 }
 
 impl Word {
@@ -59,6 +62,7 @@ impl Word {
             ),
             (Self::MovingBase, scene.base_motion.is_some()),
             (Self::Contact, !scene.contacts.is_empty()),
+            (Self::Surface, !scene.surfaces.is_empty()),
         ];
         let used = used.into_iter().filter(|(_, is)| *is);
         used.map(|(word, _)| word).collect()
@@ -73,10 +77,24 @@ impl Word {
             Self::KineticDamping => "damping",
             Self::MovingBase => "earthquake",
             Self::Contact => "contact",
+            Self::Surface => "terrain_contact",
         }
     }
 
-    /// Its problem in two or three dimensions, as in a scene file; none where no plane can move.
+    /// The file beside its scene, where it has one: the word of its block that names it, its name and its text.
+    #[must_use]
+    pub fn file(self) -> Option<(&'static str, &'static str, String)> {
+        match self {
+            Self::MovingBase => {
+                let rows = format!("t,ax,ay,az\n0,{SHAKEN},0,0\n1,{SHAKEN},0,0\n");
+                Some(("file", RECORD, rows))
+            }
+            Self::Surface => Some(("stl_mesh", SURFACE, plane_of_triangles())),
+            Self::Planes | Self::NodalLoads | Self::KineticDamping | Self::Contact => None,
+        }
+    }
+
+    /// Its problem in two or three dimensions, as in a scene file; none where the word has none in the plane.
     #[must_use]
     pub fn scene(self, axes: usize) -> Option<Value> {
         let side = CELLS + 2 * AIR;
@@ -156,6 +174,16 @@ impl Word {
                     body(1, &wide, &along(0, 0.0, axes)),
                     body(2, &at(1, 2), &along(0, THROWN, axes)),
                 ]);
+            }
+            Self::Surface => {
+                if axes != 3 {
+                    return None;
+                }
+                scene["terrain_contact"] = json!({
+                    "active": true, "stl_mesh": SURFACE, "friction": 0.0, "distance_threshold": CELL,
+                });
+                scene["gravity"] = along(1, -GRAVITY, axes).into();
+                scene["body"] = json!([body(1, &at(1, 2), &along(0, THROWN, axes))]);
             }
         }
         Some(scene)
@@ -248,6 +276,24 @@ impl Word {
                     ));
                 }
             }
+            Self::Surface => {
+                let (found, fallen) = (way(0, &|_| true), -way(1, &|_| true));
+                let free = 0.5 * GRAVITY * end * end;
+                if fallen.is_nan() || fallen > HELD * free {
+                    return Err(format!(
+                        "`terrain_contact` does not act: a body on triangles falls by {} where a free one falls by {}",
+                        metres(fallen),
+                        metres(free)
+                    ));
+                }
+                if !near(found, flown) {
+                    return Err(format!(
+                        "`terrain_contact` holds a body that slides without friction: it goes {} where {} are due",
+                        metres(found),
+                        metres(flown)
+                    ));
+                }
+            }
         }
         Ok(())
     }
@@ -268,14 +314,14 @@ impl Word {
         let file = folder.join(executable.scene_file());
         let run = || -> Result<Frame, String> {
             let mut given = executable.given(&scene);
-            if self == Self::MovingBase {
-                let record = std::path::absolute(folder.join(RECORD)).map_err(|e| e.to_string())?;
-                given["earthquake"]["file"] = record.display().to_string().into();
+            let beside = self.file();
+            if let Some((word, name, _)) = &beside {
+                let whole = std::path::absolute(folder.join(name)).map_err(|e| e.to_string())?;
+                given[self.key()][word] = whole.display().to_string().into();
             }
             process::prepare(&out, &file, &given)?;
-            if self == Self::MovingBase {
-                let rows = format!("t,ax,ay,az\n0,{SHAKEN},0,0\n1,{SHAKEN},0,0\n");
-                std::fs::write(folder.join(RECORD), rows).map_err(|error| error.to_string())?;
+            if let Some((_, name, text)) = beside {
+                std::fs::write(folder.join(name), text).map_err(|error| error.to_string())?;
             }
             process::run(executable, &file, threads, &out, stop)?;
             let (last, _) = frames::last(&out).ok_or("no frame")?;
@@ -294,6 +340,24 @@ const BEGIN: &str = "calibration of words: ";
 #[must_use]
 pub fn is_word_fault(reason: &str) -> bool {
     reason.starts_with(BEGIN)
+}
+
+/// Two triangles over the whole mesh and a cell around it, one cell above its lower plane, with their normals up.
+fn plane_of_triangles() -> String {
+    let (low, high) = (-CELL, CELL * (CELLS + 2 * AIR + 1) as f64);
+    let mut text = "solid plane\n".to_owned();
+    for corners in [
+        [(low, low), (low, high), (high, low)],
+        [(high, low), (low, high), (high, high)],
+    ] {
+        text.push_str("facet normal 0 1 0\nouter loop\n");
+        for (x, z) in corners {
+            text.push_str(&format!("vertex {x} {CELL} {z}\n"));
+        }
+        text.push_str("endloop\nendfacet\n");
+    }
+    text.push_str("endsolid plane\n");
+    text
 }
 
 /// All planes as rollers.

@@ -25,7 +25,7 @@ pub fn arena(board: &Board) -> String {
 /// One chart for each case, without legends.
 #[must_use]
 pub fn arena_charts(board: &Board) -> Vec<Chart> {
-    board.cases.iter().map(|case| chart(board, case)).collect()
+    board.judged().map(|case| chart(board, case)).collect()
 }
 
 /// The legend of colours and marks; a solver that took no part has none.

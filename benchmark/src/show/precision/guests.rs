@@ -1,9 +1,9 @@
 //! Other solvers on a terminal: which cases are open to them, and the bounds that they keep.
 
-use crate::show::{Table, filled, percent};
+use crate::show::{Table, filled, paragraph, percent};
 use proctor_scene::Damping;
 use proctor_verification::case::{Gate, Size};
-use proctor_verification::guest::Guest;
+use proctor_verification::guest::{ComparedField, Guest};
 use proctor_verification::study::Study;
 use std::io::{self, Write};
 
@@ -17,18 +17,24 @@ const WIDTH: usize = 80;
 pub fn list(studies: &[Study], out: &mut dyn Write) -> io::Result<()> {
     let mut open = Table::new(["case", "runs", "needs"]);
     let mut closed: Vec<(&str, &str)> = vec![];
+    let mut reports = vec![];
     for study in studies {
         let path = study.path(Size::Quick);
         match path.first().map(|rung| study.guest(rung)) {
-            Some(Ok(guest)) => open.push([
-                study.name().to_owned(),
-                format!(
-                    "{} or {}",
-                    runs(study, Size::Quick),
-                    runs(study, Size::Full)
-                ),
-                needs(&guest).join(", "),
-            ]),
+            Some(Ok(guest)) => {
+                open.push([
+                    study.name().to_owned(),
+                    format!(
+                        "{} or {}",
+                        runs(study, Size::Quick),
+                        runs(study, Size::Full)
+                    ),
+                    needs(&guest).join(", "),
+                ]);
+                let reading = guest.reading.as_ref();
+                reports
+                    .extend(reading.map(|r| format!("{}: {}; {}", study.name(), r.name, r.source)));
+            }
             Some(Err(reason)) => closed.push((study.name(), reason)),
             None => {}
         }
@@ -40,6 +46,15 @@ pub fn list(studies: &[Study], out: &mut dyn Write) -> io::Result<()> {
         studies.len()
     )?;
     write!(out, "{open}")?;
+    if !reports.is_empty() {
+        writeln!(
+            out,
+            "\nReports: a number beside its reference, without a bound\n"
+        )?;
+    }
+    for report in reports {
+        paragraph(&report, 2, out)?;
+    }
     if !closed.is_empty() {
         writeln!(out, "\nThe others, and why not\n")?;
     }
@@ -80,13 +95,14 @@ fn needs(guest: &Guest) -> Vec<String> {
     add(!scene.tractions.is_empty(), "tractions");
     add(!scene.box_loads.is_empty(), "loads on boxes");
     add(!scene.contacts.is_empty(), "contact");
-    add(!scene.surfaces.is_empty(), "a rigid surface (STL)");
+    add(!scene.surfaces.is_empty(), "an STL surface");
     add(scene.base_motion.is_some(), "a moving base");
     add(matches!(scene.damping, Damping::Kinetic), "kinetic damping");
     add(
         matches!(scene.damping, Damping::Local { .. }),
         "local damping",
     );
+    add(guest.compared == ComparedField::Stress, "stresses");
     needs
 }
 
@@ -102,13 +118,10 @@ pub fn gates(gates: &[(String, Gate)], out: &mut dyn Write) -> io::Result<bool> 
         } else {
             "nothing".to_owned()
         };
-        writeln!(
-            out,
-            "  {word}  {of}: {}: {found}, at most {}",
-            gate.name,
-            percent(gate.bound)
-        )?;
-        writeln!(out, "        ({})", gate.reason)?;
+        let bound = percent(gate.bound);
+        let text = format!("{word}  {of}: {}: {found}, at most {bound}", gate.name);
+        paragraph(&text, 2, out)?;
+        paragraph(&format!("({})", gate.reason), 8, out)?;
     }
     if !gates.is_empty() {
         writeln!(out)?;

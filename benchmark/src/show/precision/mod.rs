@@ -2,7 +2,7 @@
 
 pub mod guests;
 
-use super::{Table, grouped, number, paragraph, seconds};
+use super::{Table, columns, grouped, number, paragraph, seconds, shortened};
 use crate::precision::cost::Cost;
 use crate::precision::findings::{LEVELS, LineFindings};
 use crate::precision::peers::stays;
@@ -11,6 +11,11 @@ use std::io::{self, Write};
 
 /// Lines of the table unless all are asked for.
 const SHOWN: usize = 12;
+/// Columns of a terminal from which on the table has all of its own; and those that it else leaves out.
+const WIDE: usize = 104;
+const ONLY_WIDE: [&str; 3] = ["particles", "steps", "wall"];
+/// Characters of the name of another solver.
+const NAME: usize = 22;
 /// Names of the levels of error.
 const NAMES: [&str; 2] = ["1 %", "0.1 %"];
 
@@ -19,21 +24,21 @@ const NAMES: [&str; 2] = ["1 %", "0.1 %"];
 /// # Errors
 /// If `out` cannot be written.
 pub fn study(studied: &CaseStudy, all: bool, out: &mut dyn Write) -> io::Result<()> {
-    writeln!(
-        out,
-        "{}: {}",
-        studied.study.name(),
-        studied.study.case.question()
-    )?;
+    let (name, question) = (studied.study.name(), studied.study.case.question());
+    paragraph(&format!("{name}: {question}"), 0, out)?;
     for (number, measure) in studied.study.measures().iter().enumerate() {
         writeln!(out, "\n  {}", measure.word)?;
         let summary = summary(studied, number, all);
-        write!(out, "{}", summary.table)?;
+        if columns() < WIDE {
+            write!(out, "{}", summary.table.without(&ONLY_WIDE))?;
+        } else {
+            write!(out, "{}", summary.table)?;
+        }
         if summary.left_out > 0 {
             writeln!(out, "  and {} more; --all shows them", summary.left_out)?;
         }
         for line in &summary.best {
-            writeln!(out, "  {line}")?;
+            paragraph(line, 2, out)?;
         }
     }
     failures(studied, out)?;
@@ -177,7 +182,7 @@ fn peer_line(peer: &PeerLine, threads: usize) -> [String; 10] {
     };
     let costs = peer.costs(threads);
     [
-        format!("{} (process)", peer.name),
+        shortened(&format!("{} (process)", peer.name), NAME),
         none(),
         error.map_or_else(|| "failed".to_owned(), super::percent),
         peer.order().map_or_else(none, |p| format!("{p:.2}")),
@@ -223,15 +228,18 @@ fn best(findings: &Findings, level: usize, name: &str) -> String {
 /// Notes on other solvers: the meaning of their lines, the failed runs, or the reason for which there are none.
 fn peers(studied: &CaseStudy, out: &mut dyn Write) -> io::Result<()> {
     if let Some(reason) = &studied.no_peers {
-        return writeln!(out, "\n  not for other solvers: {reason}");
+        writeln!(out)?;
+        return paragraph(&format!("not for other solvers: {reason}"), 2, out);
     }
     if studied.peers.is_empty() {
         return Ok(());
     }
-    writeln!(
+    writeln!(out)?;
+    paragraph(
+        "(process): the case's scene for other solvers, in three dimensions, with uGIMP, USL, FLIP and C = 0.3 at most; whole \
+         processes, frames judged by the first error",
+        2,
         out,
-        "\n  (process): the case's scene for other solvers, in three dimensions, with uGIMP, USL, FLIP and C = 0.3 at\n  \
-         most; whole processes, frames judged by the first error"
     )?;
     for peer in &studied.peers {
         if let Some(reason) = peer.left_out {
@@ -239,7 +247,8 @@ fn peers(studied: &CaseStudy, out: &mut dyn Write) -> io::Result<()> {
         }
         for run in &peer.runs {
             if let Err(reason) = &run.error {
-                writeln!(out, "  FAIL  {}, {}: {reason}", peer.name, run.rung.label)?;
+                let text = format!("FAIL  {}, {}: {reason}", peer.name, run.rung.label);
+                paragraph(&text, 2, out)?;
             }
         }
         let finest = peer.runs.last().and_then(|run| run.error.clone().ok());
@@ -279,8 +288,8 @@ fn failures(studied: &CaseStudy, out: &mut dyn Write) -> io::Result<()> {
         studied.runs.len()
     )?;
     for (what, reason) in failed.iter().take(3) {
-        writeln!(out, "    {what}:")?;
-        writeln!(out, "      {reason}")?;
+        paragraph(&format!("{what}:"), 4, out)?;
+        paragraph(reason, 6, out)?;
     }
     Ok(())
 }

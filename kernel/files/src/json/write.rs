@@ -1,13 +1,13 @@
 //! A scene as the text of a scene file, for other programs.
 //!
-//! A written scene is read back as the same scene. A feature without a word in the language, or one that is not written yet,
+//! A written scene is read back as the same scene, but for the names of surfaces, which are those of their files. A feature without a word in the language, or one that is not written yet,
 //! is refused by name.
 
 use serde_json::{Map, Value, json};
 
 use super::words::{
     BASES, Base, CONTACT_NORMALS, FIELDS, NODAL_FIELDS, PLANE_CONDITIONS, PLANES, RECORDED_MOTIONS,
-    RecordedMotion, SCHEMES, Words,
+    RecordedMotion, SCHEMES, VOLUMETRIC_STRAINS, Words,
 };
 use crate::records;
 use proctor_laws::{self as laws, AnyLaw, LawType};
@@ -40,10 +40,14 @@ const RECORD: &str = "base.csv";
 /// The scene as a scene file has it.
 ///
 /// # Errors
-/// [`Omission`]: surfaces, mortar contact, shapes other than cuboids, laws and transfers that no word stands for,
+/// [`Omission`]: surfaces that move, mortar contact, shapes other than cuboids, laws and transfers that no word stands for,
 /// probes.
 pub fn write(scene: &Scene) -> Result<SceneWriter, Omission> {
-    refuse(!scene.surfaces.is_empty(), "a rigid surface")?;
+    let moving = scene
+        .surfaces
+        .iter()
+        .any(|surface| surface.motion.is_some());
+    refuse(moving, "a rigid surface that moves")?;
     let mortar = &scene.mortar;
     refuse(
         !(mortar.boundaries.is_empty() && mortar.contacts.is_empty()),
@@ -57,10 +61,6 @@ pub fn write(scene: &Scene) -> Result<SceneWriter, Omission> {
     refuse(scene.initial_state.is_some(), "a start from another run")?;
     refuse(scene.until.is_some(), "an end by the balance of forces")?;
     refuse(!scene.probes.is_empty(), "a probe")?;
-    refuse(
-        scene.volumetric_strain != VolumetricStrain::Particle,
-        "a mean of strain over cells",
-    )?;
     refuse(scene.outside != Outside::Stop, "removal of particles")?;
     let to = Writer(scene.dimension.axes());
     let mut keys = json!({
@@ -79,6 +79,10 @@ pub fn write(scene: &Scene) -> Result<SceneWriter, Omission> {
         },
     });
     method(scene, &mut keys)?;
+    if scene.volumetric_strain != VolumetricStrain::Particle {
+        let means = word(VOLUMETRIC_STRAINS, &scene.volumetric_strain);
+        keys["volumetric_strain"] = means.into();
+    }
     if scene.on_imbalance == OnImbalance::Stop {
         keys["on_imbalance"] = "stop".into();
     }
@@ -133,7 +137,12 @@ pub fn write(scene: &Scene) -> Result<SceneWriter, Omission> {
     if let Some(distance) = scene.contact_distance {
         keys["contact_manager"] = json!({ "real_distance_correction_coefficient": distance });
     }
-    let mut files = vec![];
+    let (terrain, mut files) = terrain(scene);
+    if let [one] = terrain.as_slice() {
+        keys["terrain_contact"] = one.clone();
+    } else if !terrain.is_empty() {
+        keys["terrain_contact"] = terrain.into();
+    }
     if let Some(base) = &scene.base_motion {
         let (entry, text) = to.base_motion(base);
         keys["earthquake"] = entry;
@@ -196,6 +205,34 @@ fn contacts(scene: &Scene) -> Vec<Value> {
             })
         })
         .collect()
+}
+
+/// Rigid surfaces that stand, and their files: STL texts.
+fn terrain(scene: &Scene) -> (Vec<Value>, Vec<(String, String)>) {
+    let surfaces = scene.surfaces.iter().enumerate();
+    surfaces
+        .map(|(i, rigid)| {
+            let name = format!("surface-{}.stl", i + 1);
+            let mut keys = json!({
+                "active": true, "stl_mesh": name, "friction": rigid.friction,
+                "distance_threshold": rigid.distance_threshold,
+            });
+            if let Some(stiffness) = rigid.penalty_stiffness {
+                keys["penalty_contact_active"] = true.into();
+                keys["penalty_stiffness"] = stiffness.into();
+            }
+            let mut text = "solid surface\n".to_owned();
+            for triangle in 0..rigid.surface.triangle_count() {
+                text.push_str("facet normal 0 0 0\nouter loop\n");
+                for [x, y, z] in rigid.surface.corners(triangle) {
+                    text.push_str(&format!("vertex {x:e} {y:e} {z:e}\n"));
+                }
+                text.push_str("endloop\nendfacet\n");
+            }
+            text.push_str("endsolid surface\n");
+            (keys, (name, text))
+        })
+        .unzip()
 }
 
 /// Weighting function, transfer and time step.

@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 
 use proctor_files::json::{from_json, read, write, write_own};
 use proctor_scene::{
-    BaseMotion, ContactNormal, GroundBeyond, History, Motion, PlaneCondition, Scene, TimeStep,
+    BaseMotion, ContactNormal, GroundBeyond, History, Motion, PlaneCondition, Scene, Shape,
+    TimeStep, VolumetricStrain,
 };
 
 /// Writes a scene and reads it back, in a folder with the files that it names.
@@ -135,11 +136,53 @@ fn mortar_contact_is_written_for_this_program() {
     );
 }
 
+/// Triangles become a file beside the scene, and means over cells a word.
+#[test]
+fn a_surface_and_means_of_strain_are_read_back() {
+    let path = Path::new("../../fixtures/scenes/sphere_on_terrain.json");
+    let mut scene = read(path).expect("a scene");
+    scene.probes.clear();
+    for body in &mut scene.bodies {
+        body.shape = Shape::Cuboid {
+            p1: [0.0; 3],
+            p2: [1.0; 3],
+        };
+    }
+    scene.volumetric_strain = VolumetricStrain::CellAverage;
+    let written = write(&scene).expect("written");
+    let [(name, text)] = written.files.as_slice() else {
+        panic!("{:?}", written.files);
+    };
+    let folder = std::env::temp_dir().join(format!("proctor-surface-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    std::fs::write(folder.join(name), text).expect("written");
+    let again = from_json(&written.scene.to_string(), "surface", &folder);
+    std::fs::remove_dir_all(&folder).expect("removed");
+    let again = again.unwrap_or_else(|error| panic!("{error}: {:#}", written.scene));
+    assert_eq!(again.surfaces[0].name, *name);
+    let corners = |scene: &Scene| {
+        let surface = &scene.surfaces[0].surface;
+        (0..surface.triangle_count())
+            .map(|i| surface.corners(i))
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(corners(&again), corners(&scene));
+    let values = |scene: &Scene| {
+        let rigid = &scene.surfaces[0];
+        (
+            rigid.friction,
+            rigid.distance_threshold,
+            rigid.penalty_stiffness,
+        )
+    };
+    assert_eq!(values(&again), values(&scene));
+    assert_eq!(again.volumetric_strain, scene.volumetric_strain);
+}
+
 #[test]
 fn what_cannot_be_written_is_refused_by_name() {
     for (name, what) in [
         ("rings_2d.json", "mortar contact"),
-        ("sphere_on_terrain.json", "a rigid surface"),
         ("disc_bounce_2d.json", "the shape of body"),
     ] {
         let mut scene = read(&Path::new("../../fixtures/scenes").join(name)).expect("a scene");
@@ -148,6 +191,17 @@ fn what_cannot_be_written_is_refused_by_name() {
         let refused = write(&scene).expect_err(name).to_string();
         assert!(refused.contains(what), "{name}: {refused}");
     }
+    let path = Path::new("../../fixtures/scenes/sphere_on_terrain.json");
+    let mut scene = read(path).expect("a scene");
+    scene.probes.clear();
+    for surface in &mut scene.surfaces {
+        surface.motion = Some(History {
+            times: vec![0.0],
+            values: vec![[1.0, 0.0, 0.0]],
+        });
+    }
+    let refused = write(&scene).expect_err("it moves").to_string();
+    assert!(refused.contains("a rigid surface that moves"), "{refused}");
     // A rigid line that nothing is in contact with is no reason to forget it.
     let path = Path::new("../../fixtures/scenes/rolling_disc_2d.json");
     let mut scene = read(path).expect("a scene");

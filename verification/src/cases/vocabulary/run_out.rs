@@ -7,6 +7,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use proctor_scene::simulation::Simulation;
+use proctor_scene::{Mesh, Vector};
 
 use super::stepping::step;
 use crate::case::gates::Runs;
@@ -168,14 +169,19 @@ fn most(a: f64, b: f64) -> f64 {
 
 const STRAIN: &str = "plastic strain"; // Name of the variable of laws that yield
 
-/// Particles of the first body as squares, by columns of cells from the left up to the first that is empty: right end and
-/// top of each column \[m\].
+/// Particles of the first body of a simulation, as [`columns_of`].
 fn columns(simulation: &Simulation) -> Vec<[f64; 2]> {
     let mesh = &simulation.scene().mesh;
     let half = 0.5 * mesh.cell[0] / simulation.scene().bodies[0].particles_per_cell[0] as f64;
+    let places = (0..simulation.sets()[0].len()).map(|p| simulation.position(0, p));
+    columns_of(mesh, half, places)
+}
+
+/// Particles at some places as squares of sides of twice `half` \[m\], by columns of cells from the left up to the first that
+/// is empty: right end and top of each column \[m\].
+pub fn columns_of(mesh: &Mesh, half: f64, places: impl Iterator<Item = Vector>) -> Vec<[f64; 2]> {
     let mut columns = vec![[f64::NEG_INFINITY; 2]; mesh.cells[0]];
-    for p in 0..simulation.sets()[0].len() {
-        let x = simulation.position(0, p);
+    for x in places {
         let at = ((x[0] - mesh.origin[0]) / mesh.cell[0]) as usize;
         if let Some(column) = columns.get_mut(at) {
             column[0] = column[0].max(x[0] + half);

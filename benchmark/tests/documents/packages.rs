@@ -1,0 +1,42 @@
+//! The packages of the workspace: each has a licence, and names the version of each of the others that it needs.
+
+use super::root;
+use serde_json::Value;
+use std::process::Command;
+
+#[test]
+fn each_package_has_a_licence_and_versions_of_what_it_needs() {
+    let output = Command::new(env!("CARGO"))
+        .args([
+            "metadata",
+            "--no-deps",
+            "--offline",
+            "--format-version",
+            "1",
+        ])
+        .current_dir(root())
+        .output()
+        .expect("cargo runs");
+    assert!(
+        output.status.success(),
+        "{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+    let metadata: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let packages = metadata["packages"].as_array().expect("packages");
+    assert_eq!(packages.len(), 8);
+    for package in packages {
+        let name = &package["name"];
+        assert_eq!(package["license"], "MIT OR Apache-2.0", "{name}");
+        let needed = package["dependencies"].as_array().expect("dependencies");
+        for needed in needed {
+            // Tests may need what is not there yet: cargo leaves it out of a package.
+            let is_own = needed["path"].is_string() && needed["kind"] != "dev";
+            assert!(
+                !is_own || needed["req"] != "*",
+                "{name}: {}",
+                needed["name"]
+            );
+        }
+    }
+}
