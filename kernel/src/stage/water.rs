@@ -1,4 +1,8 @@
-//! Boundary planes of the mesh at which the pressure of the pore water is given.
+//! Pore water in the stages: factors of its sums, and boundary planes of the mesh at which its pressure is given.
+
+mod factors;
+
+pub(super) use factors::{Derivatives, FactorKind, Factors, MOST, Weights};
 
 use crate::grid::{GHOSTS_BELOW, GridShape};
 
