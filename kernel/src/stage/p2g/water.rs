@@ -268,7 +268,7 @@ impl Half for SecondMomentum {
 }
 
 /// Rows of nodes that a run reaches.
-struct Rows {
+struct StencilPart {
     /// Plane of the stencil, in space.
     plane: usize,
     /// Rows of the stencil.
@@ -302,7 +302,7 @@ impl OwnedNodes<'_> {
         }
         let length = self.mapping.nodes[2];
         if D == 2 {
-            let below = Rows {
+            let below = StencilPart {
                 plane: 0,
                 rows: own.start - first_plane..own.end - first_plane,
                 first: (own.start - self.planes.start) * length + along,
@@ -313,7 +313,7 @@ impl OwnedNodes<'_> {
         }
         for plane in own {
             let row = (plane - self.planes.start) * self.mapping.nodes[1] + row;
-            let below = Rows {
+            let below = StencilPart {
                 plane: plane - first_plane,
                 rows: 0..N,
                 first: row * length + along,
@@ -329,7 +329,7 @@ impl OwnedNodes<'_> {
         factors: &Factors<N>,
         lines: &Lines,
         run: &Range<usize>,
-        mut below: Rows,
+        mut below: StencilPart,
     ) {
         // As many rows at once as sums fit the registers.
         while !below.rows.is_empty() {
@@ -354,7 +354,7 @@ impl OwnedNodes<'_> {
         factors: &Factors<N>,
         lines: &Lines,
         run: &Range<usize>,
-        below: &Rows,
+        below: &StencilPart,
     ) {
         if REMAP {
             self.add_rows::<SecondMomentum, Q, D, N, ROWS>(factors, lines, run, below);
@@ -370,7 +370,7 @@ impl OwnedNodes<'_> {
         factors: &Factors<N>,
         lines: &Lines,
         run: &Range<usize>,
-        below: &Rows,
+        below: &StencilPart,
     ) {
         let mut sums = [[Q::splat(0.0); N]; ROWS];
         for r in 0..ROWS {
