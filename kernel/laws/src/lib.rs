@@ -82,9 +82,11 @@ list! {
     hencky: Hencky,
     von_mises: VonMises,
     tresca: Tresca,
+    undrained_clay: UndrainedClay,
     mohr_coulomb: MohrCoulomb,
     drucker_prager: DruckerPrager,
     cam_clay: CamClay,
+    granular_flow: GranularFlow,
     newtonian: Newtonian,
     bingham: Bingham,
 }

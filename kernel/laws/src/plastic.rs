@@ -93,6 +93,10 @@ pub trait YieldSurface: fmt::Debug + PartialEq + Send + Sync + 'static {
     /// Relaxation time \[s\], 0 for none.
     fn relaxation(&self) -> f64;
 
+    /// Lets the stress before the first step set internal variables. Must be `#[inline(always)]`.
+    #[inline(always)]
+    fn begin<L: Lanes, const D: usize>(&self, _stress: &[L; 6], _variables: &mut [L]) {}
+
     /// The stress that the trial stress returns to: `None` where no lane yields. `trial` is ordered as a law is given a
     /// stress; `variables` are those before the step. Must be `#[inline(always)]`.
     fn returned<L: Lanes, const D: usize>(
@@ -199,6 +203,7 @@ pub fn update<Y: YieldSurface, L: Lanes, const D: usize>(
 ) -> L {
     let zero = L::splat(0.0);
     let elasticity = law.elastic().elasticity();
+    law.begin::<L, D>(stress.packed(), variables);
     let mut speed_squared = law.elastic().update::<L, D>(increment, stress, &mut []);
     let stress = stress.packed_mut();
     let begins_parted = parted::<L, Y>(variables);

@@ -2,7 +2,7 @@
 
 use super::{
     BaseMotion, BoxLoad, Damping, Dimension, GroundBeyond, HeldBox, Mesh, PlaneCondition,
-    PointLoad, StressScheme, TimeStep, Traction, Transfer, Vector, Weighting,
+    PlanePressure, PointLoad, StressScheme, TimeStep, Traction, Transfer, Vector, Weighting,
 };
 
 /// Treatment of a particle that leaves the mesh.
@@ -60,8 +60,10 @@ pub struct CycleSettings {
     pub drives_bodies: bool,
     /// Condition of each boundary plane for the pore water, where bodies have any.
     pub water_planes: Option<[[PlaneCondition; 2]; 3]>,
-    /// Pressure of the pore water at each boundary plane where one is given, compression positive \[Pa\].
-    pub water_pressures: [[Option<f64>; 2]; 3],
+    /// Pressure of the pore water at each boundary plane where one is given.
+    pub water_pressures: [[Option<PlanePressure>; 2]; 3],
+    /// Density of the pore water of all bodies \[kg/m³\]; 0 without.
+    pub water_density: f64,
     /// True where a body has a stress at the start.
     pub starts_stressed: bool,
     /// Treatment of a particle that leaves the mesh.

@@ -1,6 +1,6 @@
 //! Water in the pores of a material: its constants, and what follows from them.
 
-use super::Vector;
+use super::{History, Vector};
 
 /// Water in the pores of a material.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,6 +32,16 @@ pub enum Permeability {
     Square,
     /// It is k J² (n/`n_0`)³, which is in proportion to n³/(1-n)² (Kozeny 1927; Carman 1937).
     KozenyCarman,
+}
+
+/// Pressure of the pore water at a boundary plane of the mesh.
+#[derive(Clone, Debug, PartialEq)]
+pub enum PlanePressure {
+    /// The same everywhere, compression positive \[Pa\].
+    Uniform(f64),
+    /// That of water at rest below a level, and none above it: the level in the first component \[m\], a coordinate along the
+    /// axis that most of gravity is along.
+    Level(History),
 }
 
 /// Least and largest porosity of a particle.

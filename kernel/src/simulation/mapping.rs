@@ -9,7 +9,7 @@ use crate::particles::ParticleSet;
 use crate::plan::Plan;
 use crate::simulation::values::BodyRun;
 use crate::stage::g2p::Affine;
-use crate::stage::p2g::{self, Carry, P2g, P2gFn};
+use crate::stage::p2g::{self, Carry, P2g, P2gFn, WaterCarry, WaterP2g};
 use crate::stage::solve::Planes;
 use crate::weights::{
     Family, axis_weights_at, base_node, mean_of_hat, reached, round_off_weight, spline_touching,
@@ -27,7 +27,6 @@ pub(super) fn particle_to_grid<'a>(
     let family = plan.family;
     let nodes = family.stage_nodes(stencil);
     let carries_force = matches!(carry, Carry::All | Carry::Force);
-    let has_water = bodies.iter().any(|body| body.water.is_some());
     let instance = |carry| P2gInstance {
         carry,
         call: p2g::instance(
@@ -38,11 +37,6 @@ pub(super) fn particle_to_grid<'a>(
             carry,
         ),
         leaves_parts: p2g::leaves_parts(plan.axes, plan.full_mapping, carry),
-    };
-    let instance_of_water = |carry| P2gInstance {
-        carry,
-        call: p2g::water_instance(plan.axes, stencil, carry),
-        leaves_parts: p2g::leaves_parts(plan.axes, false, carry),
     };
     ParticleToGrid {
         sets,
@@ -57,10 +51,13 @@ pub(super) fn particle_to_grid<'a>(
         has_hoop: plan.axisymmetric && !plan.full_mapping && carry == Carry::All,
         free: instance(carry),
         driven: instance(Carry::Momentum),
-        water: has_water.then(|| instance_of_water(carry)),
-        mean_pressure: (has_water && plan.cell_average && carries_force).then(|| {
-            [false, true].map(|averaged| instance_of_water(Carry::MeanStress { averaged }))
-        }),
+        water: if carry == Carry::Remap {
+            WaterCarry::Remap
+        } else {
+            WaterCarry::All {
+                averaged: plan.cell_average,
+            }
+        },
         gradient: instance(Carry::MassGradient),
         mean_stress: (plan.cell_average && carries_force)
             .then(|| [false, true].map(|averaged| instance(Carry::MeanStress { averaged }))),
@@ -99,10 +96,8 @@ pub(super) struct ParticleToGrid<'a> {
     free: P2gInstance,
     /// Mapping of bodies with a field of their own whose motion is prescribed: their mass alone counts.
     driven: P2gInstance,
-    /// Mapping of the water in their pores.
-    water: Option<P2gInstance>,
-    /// Correction of the force by their mean pressure, where it is a mean over cells.
-    mean_pressure: Option<[P2gInstance; 2]>,
+    /// Quantities of the water in their pores.
+    water: WaterCarry,
     /// Mapping of the mass gradient of some particles.
     gradient: P2gInstance,
     /// Correction of the force by the mean stress of bodies that move freely, where their strain is a mean over cells.
@@ -164,18 +159,20 @@ impl ParticleToGrid<'_> {
 
     /// Maps the water of all bodies.
     fn map_water(&self, planes: &mut Planes<'_>) {
-        let Some(instance) = self.water else { return };
-        for index in 0..self.bodies.len() {
-            if self.bodies[index].water.is_none() {
-                continue;
-            }
-            for instance in self.mean_pressure.iter().flatten().chain([&instance]) {
-                let mut layers = self.layers_of(index, planes);
-                self.map_runs(index, &mut layers, planes, *instance);
-            }
-        }
-        if instance.leaves_parts {
-            planes.join_with_drag();
+        for (index, body) in self.bodies.iter().enumerate() {
+            let Some(water) = &body.water else { continue };
+            let set = &self.sets[index];
+            let call = WaterP2g {
+                columns: &set.columns,
+                layout: &set.layout,
+                mapping: &body.mapping,
+                layers: &mut self.layers_of(index, planes),
+                planes: planes.range.clone(),
+                nodes: planes.nodes,
+                carry: self.water,
+                water,
+            };
+            call.run(self.lanes, set.layout.axes, self.stencil);
         }
     }
 
@@ -258,7 +255,6 @@ impl ParticleToGrid<'_> {
                 nodes: planes.nodes,
                 carry,
                 viscous_rate: body.viscous_rate,
-                water: body.water.as_ref(),
             },
         )
     }

@@ -17,7 +17,7 @@ pub use nodes::{DashpotNode, DrivenNode, EmptyNode, NodeForce};
 pub use sums::PlaneSums;
 
 use crate::grid::{ActiveRows, GHOSTS_BELOW, GridShape, Line};
-use crate::stage::p2g::{join, join_with_drag, join_with_hoop};
+use crate::stage::p2g::{join, join_with_hoop};
 use std::ops::Range;
 
 /// A boundary plane with a condition.
@@ -114,11 +114,6 @@ impl Planes<'_> {
     /// The same with the force of the hoop stress.
     pub(crate) fn join_with_hoop(&mut self) {
         self.for_rows(|row| row.iter_mut().for_each(join_with_hoop));
-    }
-
-    /// The same with the drag on the pore water.
-    pub(crate) fn join_with_drag(&mut self) {
-        self.for_rows(|row| row.iter_mut().for_each(join_with_drag));
     }
 
     /// Multiplies what lies in the upper lanes of nodes by their radius, of which the lowest plane of the mesh has `first` \[m\].

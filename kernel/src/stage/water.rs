@@ -1,4 +1,8 @@
-//! Boundary planes of the mesh at which the pressure of the pore water is given.
+//! Pore water in the stages: factors of its sums, and boundary planes of the mesh at which its pressure is given.
+
+mod factors;
+
+pub(super) use factors::{Derivatives, FactorKind, Factors, MOST, Weights};
 
 use crate::grid::{GHOSTS_BELOW, GridShape};
 
@@ -11,8 +15,42 @@ pub struct PressedPlane {
     pub axis: usize,
     /// 0 the lower, 1 the upper plane.
     pub side: usize,
-    /// Pressure, compression positive \[Pa\].
-    pub pressure: f64,
+    /// Pressure.
+    pub pressure: NodalPressure,
+}
+
+/// Pressure of the pore water at the nodes of a plane, compression positive.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum NodalPressure {
+    /// The same at all of them \[Pa\].
+    Uniform(f64),
+    /// That of water at rest below a level.
+    Rest {
+        /// Axis that the level is a coordinate along.
+        along: usize,
+        /// The level from the lower boundary of the mesh \[m\].
+        level: f64,
+        /// Increase of the pressure along the axis, which gravity gives it \[Pa/m\].
+        slope: f64,
+    },
+}
+
+impl NodalPressure {
+    /// Pressure at a node \[Pa\], by its storage indices.
+    #[inline]
+    fn at(&self, shape: &GridShape, at: [usize; 3]) -> f64 {
+        match *self {
+            Self::Uniform(pressure) => pressure,
+            Self::Rest {
+                along,
+                level,
+                slope,
+            } => {
+                let layer = at[shape.direction(along)] as f64 - GHOSTS_BELOW as f64;
+                (slope * (layer * shape.cell[along] - level)).max(0.0)
+            }
+        }
+    }
 }
 
 impl PressedPlane {
@@ -27,6 +65,7 @@ impl PressedPlane {
             (GHOSTS_BELOW + shape.cells[self.axis], -1.0)
         };
         let is_there = at[shape.direction(self.axis)] == plane;
-        is_there.then(|| inwards * self.pressure * (2.0 * volume / shape.cell[self.axis]))
+        is_there
+            .then(|| inwards * self.pressure.at(shape, at) * (2.0 * volume / shape.cell[self.axis]))
     }
 }

@@ -131,7 +131,7 @@ pub fn empty(dimension: Dimension, cells: [usize; 3], h: f64) -> Scene {
         materials: vec![material(ELASTIC)],
         pore_water: vec![],
         water_planes: [[PlaneCondition::Sliding; 2]; 3],
-        water_pressures: [[None; 2]; 3],
+        water_pressures: Default::default(),
         initial_pressures: vec![],
         bodies: vec![],
         initial_state: None,

@@ -188,7 +188,6 @@ fn nodes_after(
             nodes: nodes.lines_mut(),
             carry,
             viscous_rate: if full { 0.5 } else { 0.0 },
-            water: None,
         },
     );
     // Other carriers take the three nodes of hats, and nobody asks how many groups they met.
@@ -446,7 +445,6 @@ fn two_nodes_of_a_hat_have_the_numbers_of_three() {
                         nodes: lines.lines_mut(),
                         carry: Carry::All,
                         viscous_rate: 0.0,
-                        water: None,
                     },
                 );
                 lines.lines().to_vec()

@@ -113,7 +113,6 @@ fn check(
             nodes: nodes.lines_mut(),
             carry: Carry::All,
             viscous_rate,
-            water: None,
         },
     );
     if axes == 2 {

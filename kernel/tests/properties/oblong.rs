@@ -198,7 +198,6 @@ fn the_mass_gradient_has_the_moment_of_the_mass() {
                     nodes: nodes.lines_mut(),
                     carry: Carry::MassGradient,
                     viscous_rate: 0.0,
-                    water: None,
                 },
             );
             if axes == 2 {

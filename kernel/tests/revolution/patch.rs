@@ -80,7 +80,6 @@ fn force_inside(mut set: ParticleSet, stencil: usize, full: bool) -> f64 {
             nodes: nodes.lines_mut(),
             carry: Carry::All,
             viscous_rate: 0.0,
-            water: None,
         },
     );
     nodes.lines_mut().iter_mut().for_each(p2g::join_with_hoop);

@@ -5,7 +5,9 @@ use crate::common::{run, simulation};
 use proctor_kernel::layout::Layout;
 use proctor_scene::plan::{PlanOptions, plan};
 use proctor_scene::simulation::Simulation;
-use proctor_scene::{History, InitialPressure, PlaneCondition, Scene, StressScheme, Traction};
+use proctor_scene::{
+    History, InitialPressure, PlaneCondition, PlanePressure, Scene, StressScheme, Traction,
+};
 
 const GIVEN: f64 = 1e3; // Pressure [Pa]
 const CELLS: usize = 8;
@@ -24,7 +26,7 @@ fn under_pressure(k: f64) -> Scene {
     let mut scene = strip(&column(k), k, CELLS, StressScheme::Usl);
     scene.tractions.clear();
     scene.water_planes[1][0] = PlaneCondition::Free;
-    scene.water_pressures[1][0] = Some(GIVEN);
+    scene.water_pressures[1][0] = Some(PlanePressure::Uniform(GIVEN));
     scene
 }
 
@@ -40,7 +42,7 @@ fn the_pressure_that_is_given_rests() {
             pressure: GIVEN,
         }];
         if free {
-            scene.water_pressures[1] = [None, Some(GIVEN)];
+            scene.water_pressures[1] = [None, Some(PlanePressure::Uniform(GIVEN))];
             scene.water_planes[1] = [PlaneCondition::Sliding, PlaneCondition::Free];
             scene.tractions = vec![Traction {
                 p1: [0.0, 1.0, 0.0],
@@ -97,6 +99,27 @@ fn water_flows_from_the_pressure_as_darcy_says() {
     assert!(left < 1e-3, "{left}");
 }
 
+/// Water that stands beyond the base presses as much as it is deep, and as it sinks the pressure at the base sinks with it.
+#[test]
+fn the_level_at_the_base_gives_the_pressure_of_its_depth() {
+    let k = 1e-2;
+    let (high, low) = (1.5, 0.5);
+    let mut scene = under_pressure(k);
+    scene.gravity = [0.0, -10.0, 0.0];
+    scene.water_pressures[1][0] = Some(PlanePressure::Level(History {
+        times: vec![0.0, 0.1],
+        values: vec![[high, 0.0, 0.0], [low, 0.0, 0.0]],
+    }));
+    let mut simulation = simulation(&scene);
+    simulation.run_until(1.0).expect("the step is stable");
+    // Up against the weight with the head of the base over that of the drained top, which is the height.
+    let flux = k * (low - 1.0);
+    for p in 0..simulation.sets()[0].len() {
+        let (w, v, _) = state(&simulation, p);
+        assert!((0.4 * (w - v) / flux - 1.0).abs() < 1e-2, "{w} {v}");
+    }
+}
+
 /// Below the table the pressure is that of water at rest, above it there is none; whichever way gravity points.
 #[test]
 fn the_table_gives_the_pressure_of_water_at_rest() {
@@ -128,6 +151,18 @@ fn what_has_no_form_is_refused_by_name() {
         scene.initial_pressures = vec![InitialPressure::Table { level: 1.0 }];
     });
     assert!(level.contains("water_table"), "{level}");
+    let weightless = found(|scene| {
+        scene.water_pressures[1][0] = Some(PlanePressure::Level(History::from([1.0, 0.0, 0.0])));
+    });
+    assert!(
+        weightless.contains("boundary_levels_fluid.plane_Y0"),
+        "{weightless}"
+    );
+    let shut_side = found(|scene| scene.mesh.planes[0][0] = PlaneCondition::Antisymmetric);
+    assert!(
+        shut_side.contains("boundary_conditions_fluid.plane_X0"),
+        "{shut_side}"
+    );
     let dry = found(|scene| scene.pore_water.clear());
     assert!(dry.contains("boundary_pressures_fluid"), "{dry}");
 }

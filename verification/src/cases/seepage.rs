@@ -5,8 +5,7 @@
 //! both. It begins with that stress and with water at rest. The gravity of the scene is half of that with which the
 //! conductivity was measured.
 //!
-//! Expected: exact on every mesh once the start has died away. A slope itself needs planes that repeat along it, which
-//! there are not. `proctor verify seepage`.
+//! Expected: exact on every mesh once the start has died away. `proctor verify seepage`.
 
 use super::prelude::*;
 

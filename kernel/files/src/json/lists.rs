@@ -275,6 +275,64 @@ impl JsonSchema for VectorOrTable {
     }
 }
 
+/// A number, or rows of a time and a number.
+#[derive(Debug)]
+pub(super) enum NumberOrTable {
+    Number(f64),
+    Table(Vec<Vec<f64>>),
+}
+
+struct NumberOrTableVisitor;
+
+impl<'de> Visitor<'de> for NumberOrTableVisitor {
+    type Value = NumberOrTable;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a number, or a list of rows of a time and a number")
+    }
+
+    fn visit_f64<E: Error>(self, value: f64) -> Result<NumberOrTable, E> {
+        Ok(NumberOrTable::Number(value))
+    }
+
+    fn visit_u64<E: Error>(self, value: u64) -> Result<NumberOrTable, E> {
+        Ok(NumberOrTable::Number(value as f64))
+    }
+
+    fn visit_i64<E: Error>(self, value: i64) -> Result<NumberOrTable, E> {
+        Ok(NumberOrTable::Number(value as f64))
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<NumberOrTable, A::Error> {
+        let mut table = Vec::new();
+        while let Some(row) = list.next_element()? {
+            table.push(row);
+        }
+        Ok(NumberOrTable::Table(table))
+    }
+}
+
+impl<'de> Deserialize<'de> for NumberOrTable {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(NumberOrTableVisitor)
+    }
+}
+
+impl JsonSchema for NumberOrTable {
+    fn schema_name() -> Cow<'static, str> {
+        "NumberOrTable".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({
+            "anyOf": [
+                { "type": "number" },
+                { "type": "array", "items": { "type": "array", "items": { "type": "number" } } },
+            ]
+        })
+    }
+}
+
 /// Contacts as a list or by name, or the switch that an older form of the language has in its place.
 #[derive(Debug)]
 pub(super) enum Contacts {

@@ -1,11 +1,22 @@
 //! Pore water from its keys.
 
 use super::build::Build;
-use super::keys::{RawScene, RawWaterPlanes, RawWaterPressures};
+use super::keys::{RawScene, RawWaterLevels, RawWaterPlanes, RawWaterPressures};
+use super::lists::NumberOrTable;
 use super::material_keys::RawMaterial;
 use super::materials::entry_path;
 use super::words::{PERMEABILITIES, WATER_CONDITIONS};
-use proctor_scene::{InitialPressure, PlaneCondition, PoreWater, Scene};
+use proctor_scene::{History, InitialPressure, PlaneCondition, PlanePressure, PoreWater, Scene};
+
+/// Names of the planes, with the axis of their normal and their side.
+const PLANES_OF_WATER: [(&str, usize, usize); 6] = [
+    ("plane_X0", 0, 0),
+    ("plane_Xn", 0, 1),
+    ("plane_Y0", 1, 0),
+    ("plane_Yn", 1, 1),
+    ("plane_Z0", 2, 0),
+    ("plane_Zn", 2, 1),
+];
 
 /// Gravity for which conductivities are given \[m/s²\].
 const GRAVITY: f64 = 9.81;
@@ -42,14 +53,10 @@ impl Build<'_> {
         }
         let planes = raw.mesh.as_ref();
         if let Some(planes) = planes.and_then(|mesh| mesh.boundary_conditions_fluid.as_ref()) {
-            for (key, axis, side, word) in [
-                ("plane_X0", 0, 0, &planes.x0),
-                ("plane_Xn", 0, 1, &planes.xn),
-                ("plane_Y0", 1, 0, &planes.y0),
-                ("plane_Yn", 1, 1, &planes.yn),
-                ("plane_Z0", 2, 0, &planes.z0),
-                ("plane_Zn", 2, 1, &planes.zn),
-            ] {
+            let words = [
+                &planes.x0, &planes.xn, &planes.y0, &planes.yn, &planes.z0, &planes.zn,
+            ];
+            for ((key, axis, side), word) in PLANES_OF_WATER.into_iter().zip(words) {
                 let Some(word) = word else { continue };
                 let path = format!("mesh.boundary_conditions_fluid.{key}");
                 if axis >= self.dimension.axes() {
@@ -64,6 +71,11 @@ impl Build<'_> {
             let named = planes.and_then(|mesh| mesh.boundary_conditions_fluid.as_ref());
             self.plane_pressures(given, named, scene);
         }
+        let given = planes.and_then(|mesh| mesh.boundary_levels_fluid.as_ref());
+        if let Some(given) = given {
+            let named = planes.and_then(|mesh| mesh.boundary_conditions_fluid.as_ref());
+            self.plane_levels(given, named, scene);
+        }
         if let Some(level) = raw.water_table {
             scene
                 .initial_pressures
@@ -72,30 +84,86 @@ impl Build<'_> {
         self.pressures(raw, scene);
     }
 
-    /// Planes at which a pressure is given, and that are free for the water unless they are named otherwise.
+    /// Planes at which a pressure is given.
     fn plane_pressures(
         &mut self,
         given: &RawWaterPressures,
         named: Option<&RawWaterPlanes>,
         scene: &mut Scene,
     ) {
-        let word = |of: fn(&RawWaterPlanes) -> &Option<String>| {
-            named.is_some_and(|planes| of(planes).is_some())
+        let all = [given.x0, given.xn, given.y0, given.yn, given.z0, given.zn];
+        let all = all.map(|pressure| pressure.map(PlanePressure::Uniform));
+        self.pressed_planes("boundary_pressures_fluid", all, named, scene);
+    }
+
+    /// Planes beyond which water stands.
+    fn plane_levels(
+        &mut self,
+        given: &RawWaterLevels,
+        named: Option<&RawWaterPlanes>,
+        scene: &mut Scene,
+    ) {
+        let all = [
+            &given.x0, &given.xn, &given.y0, &given.yn, &given.z0, &given.zn,
+        ];
+        let mut levels = all.map(|_| None);
+        for (i, level) in all.into_iter().enumerate() {
+            let Some(level) = level else { continue };
+            let path = format!("mesh.boundary_levels_fluid.{}", PLANES_OF_WATER[i].0);
+            levels[i] = Some(PlanePressure::Level(self.level(&path, level)));
+        }
+        self.pressed_planes("boundary_levels_fluid", levels, named, scene);
+    }
+
+    /// A level of water over time, in the first component.
+    fn level(&mut self, path: &str, given: &NumberOrTable) -> History {
+        let rows = match given {
+            NumberOrTable::Number(level) => return [*level, 0.0, 0.0].into(),
+            NumberOrTable::Table(rows) => rows,
         };
-        for (key, axis, side, pressure, is_named) in [
-            ("plane_X0", 0, 0, given.x0, word(|planes| &planes.x0)),
-            ("plane_Xn", 0, 1, given.xn, word(|planes| &planes.xn)),
-            ("plane_Y0", 1, 0, given.y0, word(|planes| &planes.y0)),
-            ("plane_Yn", 1, 1, given.yn, word(|planes| &planes.yn)),
-            ("plane_Z0", 2, 0, given.z0, word(|planes| &planes.z0)),
-            ("plane_Zn", 2, 1, given.zn, word(|planes| &planes.zn)),
-        ] {
+        let mut history = History {
+            times: vec![],
+            values: vec![],
+        };
+        for (i, row) in rows.iter().enumerate() {
+            if self.length(&format!("{path}[{i}]"), row, 2) {
+                history.times.push(row[0]);
+                history.values.push([row[1], 0.0, 0.0]);
+            }
+        }
+        history
+    }
+
+    /// Planes at which a key gives the pressure, and that are free for the water unless they are named otherwise.
+    fn pressed_planes(
+        &mut self,
+        key: &str,
+        given: [Option<PlanePressure>; 6],
+        named: Option<&RawWaterPlanes>,
+        scene: &mut Scene,
+    ) {
+        let named = named.map_or([false; 6], |planes| {
+            [
+                &planes.x0, &planes.xn, &planes.y0, &planes.yn, &planes.z0, &planes.zn,
+            ]
+            .map(Option::is_some)
+        });
+        let all = given.into_iter().zip(PLANES_OF_WATER).zip(named);
+        for ((pressure, (plane, axis, side)), is_named) in all {
             if pressure.is_none() {
                 continue;
             }
+            let path = format!("mesh.{key}.{plane}");
             if axis >= self.dimension.axes() {
-                let path = format!("mesh.boundary_pressures_fluid.{key}");
                 self.add(path, "a plane of z in two dimensions", "planes of x and y");
+                continue;
+            }
+            if scene.water_pressures[axis][side].is_some() {
+                self.add(
+                    path,
+                    "a level at a plane that has a pressure",
+                    "one of `boundary_pressures_fluid` and `boundary_levels_fluid`",
+                );
                 continue;
             }
             scene.water_pressures[axis][side] = pressure;
@@ -221,6 +289,10 @@ impl Build<'_> {
             (
                 "mesh.boundary_pressures_fluid",
                 mesh.is_some_and(|mesh| mesh.boundary_pressures_fluid.is_some()),
+            ),
+            (
+                "mesh.boundary_levels_fluid",
+                mesh.is_some_and(|mesh| mesh.boundary_levels_fluid.is_some()),
             ),
             ("water_table", raw.water_table.is_some()),
             (

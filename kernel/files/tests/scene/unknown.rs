@@ -208,7 +208,6 @@ fn keys_of_other_programs_are_answered() {
         ("mesh", "boundaryConditons", "`boundary_conditions`"),
         ("mesh", "type", "leave the key out"),
         ("mesh", "mesh", "`cells_dimension`"),
-        ("material", "su_vertical_stress", "not covered"),
         ("material", "youngs_modulus", "`young`"),
         ("material", "poisson_ratio", "`poisson`"),
         ("body", "diameter", "`radius`"),

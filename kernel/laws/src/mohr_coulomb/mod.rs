@@ -345,6 +345,43 @@ impl YieldSurface for MohrCoulomb {
     }
 }
 
+/// The return of a law without friction whose shear strength each particle has of its own \[Pa\]; it bears any tension.
+#[inline(always)]
+pub(super) fn by_shear_strength<L: Lanes, const D: usize>(
+    elastic: &LinearElastic,
+    shear_strength: L,
+    trial: &[L; 6],
+) -> Option<ReturnedStress<L>> {
+    let zero = L::splat(0.0);
+    let strength = Strength {
+        sine: zero,
+        cohesive: shear_strength + shear_strength,
+        flow: zero,
+        tension: L::splat(strength::apex(0.0, 1.0, 0.0)),
+    };
+    if L::bits(may_yield::<L, D>(&strength, trial)) == 0 {
+        return None;
+    }
+    let spectrum = spectrum::<L, D>(trial);
+    let yields = zero.lt(strength.excess(&spectrum.values));
+    let after = region::returned(&elastic.elasticity(), &strength, &spectrum.values);
+    let change = [
+        after[0] - spectrum.values[0],
+        after[1] - spectrum.values[1],
+        after[2] - spectrum.values[2],
+    ];
+    let change = spectrum.with::<D>(&change);
+    let mut out = *trial;
+    for slot in 0..components(D) {
+        out[slot] = trial[slot] + change[slot];
+    }
+    Some(ReturnedStress {
+        stress: out,
+        yields,
+        opened: zero,
+    })
+}
+
 /// Bounds of a stress beyond the surface, by its invariants alone: sqrt(J_2) sqrt(1 + sin² phi/3) + p sin phi and p + 2
 /// sqrt(J_2/3) bound the shear and the tension from above.
 #[inline(always)]

@@ -32,8 +32,8 @@ use proctor_contact::{Contact, ContactValues, Mortar, PlannedBody, RigidSurface}
 use proctor_kernel::laws::AnyLaw;
 use proctor_kernel::model::{
     BaseMotion, BoxLoad, CycleSettings, Damping, Dimension, GroundBeyond, HeldBox, Mesh,
-    OnImbalance, Outside, PlaneCondition, PointLoad, PoreWater, StressScheme, TimeStep, Traction,
-    Transfer, TransferKind, Vector, VolumetricStrain, Weighting, plane_acts,
+    OnImbalance, Outside, PlaneCondition, PlanePressure, PointLoad, PoreWater, StressScheme,
+    TimeStep, Traction, Transfer, TransferKind, Vector, VolumetricStrain, Weighting, plane_acts,
 };
 
 /// Everything that is simulated.
@@ -68,9 +68,8 @@ pub struct Scene {
     pub pore_water: Vec<Option<PoreWater>>,
     /// Condition of each boundary plane for the pore water, as those of the mesh are for bodies; `Sliding` lets none through.
     pub water_planes: [[PlaneCondition; 2]; 3],
-    /// Pressure of the pore water at each boundary plane where one is given, compression positive \[Pa\]; the plane is `Free` for
-    /// the water.
-    pub water_pressures: [[Option<f64>; 2]; 3],
+    /// Pressure of the pore water at each boundary plane where one is given; the plane is `Free` for the water.
+    pub water_pressures: [[Option<PlanePressure>; 2]; 3],
     /// Pore pressures at the start.
     pub initial_pressures: Vec<InitialPressure>,
     /// Bodies, in the order of the file.
@@ -139,7 +138,7 @@ impl Scene {
             materials: Vec::new(),
             pore_water: Vec::new(),
             water_planes: [[PlaneCondition::Sliding; 2]; 3],
-            water_pressures: [[None; 2]; 3],
+            water_pressures: Default::default(),
             initial_pressures: Vec::new(),
             bodies: Vec::new(),
             initial_state: None,
@@ -254,9 +253,16 @@ impl Scene {
                 .first()
                 .map_or(1, |body| body.particles_per_cell[0]),
             water_planes: self.has_water().then_some(self.water_planes),
-            water_pressures: self.water_pressures,
+            water_pressures: self.water_pressures.clone(),
+            water_density: self
+                .pore_water
+                .iter()
+                .flatten()
+                .next()
+                .map_or(0.0, |water| water.density),
             drives_bodies: bodies.clone().any(|body| body.motion.is_some()),
             starts_stressed: self.initial_state.is_some()
+                || !self.initial_pressures.is_empty()
                 || bodies.any(|body| body.initial_stress != InitialStress::None),
             outside: self.outside,
             on_imbalance: self.on_imbalance,

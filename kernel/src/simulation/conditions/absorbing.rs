@@ -16,7 +16,7 @@ use crate::grid::{GridShape, Line};
 use crate::model::{CycleSettings, PlaneCondition};
 use crate::simulation::Cycle;
 use crate::simulation::context::{Condition, FieldNodes, NodalConditions};
-use crate::simulation::fields::SlabField;
+use crate::simulation::fields::{Owner, SlabField};
 use crate::simulation::values::{Drift, StepError, StepErrorKind};
 use crate::stage::solve::{DashpotNode, EmptyNode, PlaneSums};
 use std::sync::Arc;
@@ -111,15 +111,17 @@ fn for_dashpots(
                 0.0
             }
         };
-        let fields = &field.slab.fields;
-        let own = mass(&fields[field.number]);
+        // The surroundings of pore water are those of the skeleton.
+        let fields = field.slab.fields.iter();
+        let fields = fields.filter(|field| field.owner != Owner::Water);
+        let own = mass(&field.slab.fields[field.number]);
         if own <= 0.0 {
             continue;
         }
-        let share = if fields.len() == 1 {
+        let share = if fields.clone().count() == 1 {
             1.0
         } else {
-            own / fields.iter().map(mass).sum::<f64>()
+            own / fields.map(mass).sum::<f64>()
         };
         let (planes, _, sums) = field.parts();
         let sums = &mut sums[plane - planes.range.start];

@@ -4,11 +4,12 @@
 
 use super::{ConditionResult, ConditionType};
 use crate::grid::GridShape;
-use crate::model::{CycleSettings, PlaneCondition};
+use crate::model::{CycleSettings, PlaneCondition, PlanePressure};
 use crate::simulation::context::{Condition, FieldNodes, NodalConditions, Remap};
+use crate::simulation::history::value;
 use crate::simulation::step_view::StepView;
 use crate::stage::solve::Wall;
-use crate::stage::water::PressedPlane;
+use crate::stage::water::{NodalPressure, PressedPlane};
 use std::sync::Arc;
 
 /// The planes that are not free.
@@ -17,7 +18,39 @@ struct Walls {
     /// Walls that the pore water meets.
     water: Vec<Wall>,
     /// Planes at which the pressure of the pore water is given.
-    pressed: Vec<PressedPlane>,
+    pressed: Vec<GivenPressure>,
+}
+
+/// A boundary plane at which the pressure of the pore water is given.
+struct GivenPressure {
+    axis: usize,
+    side: usize,
+    pressure: PlanePressure,
+    /// Axis that levels are coordinates along, the lower boundary of the mesh there \[m\], and the weight of the water along it
+    /// \[N/m³\].
+    weight: (usize, f64, f64),
+}
+
+impl GivenPressure {
+    /// The pressure at a time \[s\].
+    fn at(&self, time: f64) -> PressedPlane {
+        let pressure = match &self.pressure {
+            PlanePressure::Uniform(pressure) => NodalPressure::Uniform(*pressure),
+            PlanePressure::Level(history) => {
+                let (along, origin, slope) = self.weight;
+                NodalPressure::Rest {
+                    along,
+                    level: value(history, time)[0] - origin,
+                    slope,
+                }
+            }
+        };
+        PressedPlane {
+            axis: self.axis,
+            side: self.side,
+            pressure,
+        }
+    }
 }
 
 /// Boundary planes.
@@ -63,14 +96,18 @@ fn of(settings: &CycleSettings, shape: &GridShape) -> Option<ConditionResult> {
 }
 
 /// The planes at which the pressure of the pore water is given.
-fn pressed_planes(settings: &CycleSettings, shape: &GridShape) -> Vec<PressedPlane> {
+fn pressed_planes(settings: &CycleSettings, shape: &GridShape) -> Vec<GivenPressure> {
+    let gravity = &settings.gravity;
+    let steepest = |a: &usize, b: &usize| gravity[*a].abs().total_cmp(&gravity[*b].abs());
+    let along = (0..shape.axes).max_by(steepest).unwrap_or(0);
+    let weight = settings.water_density * gravity[along];
     let sides = (0..shape.axes).flat_map(|axis| [(axis, 0), (axis, 1)]);
     let given = sides.filter_map(|(axis, side)| {
-        let pressure = settings.water_pressures[axis][side]?;
-        Some(PressedPlane {
+        Some(GivenPressure {
             axis,
             side,
-            pressure,
+            pressure: settings.water_pressures[axis][side].clone()?,
+            weight: (along, settings.mesh.origin[along], weight),
         })
     });
     given.collect()
@@ -104,7 +141,10 @@ impl Condition for Walls {
     fn prescribe(&self, _: &StepView<'_>, nodal: &mut NodalConditions) {
         nodal.walls.extend(self.skeleton.iter().copied());
         nodal.water_walls.extend(self.water.iter().copied());
-        nodal.water_pressures.extend(self.pressed.iter().copied());
+        let [before, after] = nodal.half_steps;
+        let middle = 0.5 * (before + after);
+        let pressed = self.pressed.iter().map(|given| given.at(middle));
+        nodal.water_pressures.extend(pressed);
     }
 
     fn after(&self, field: &mut FieldNodes<'_, '_>) {

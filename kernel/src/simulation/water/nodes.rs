@@ -4,7 +4,7 @@ use crate::grid::{GHOSTS_BELOW, GridShape, Line};
 use crate::model::PoreWater;
 use crate::simulation::context::StepContext;
 use crate::simulation::fields::{Owner, Slab};
-use crate::stage::solve::{PlaneSums, Wall, is_ghost};
+use crate::stage::solve::{PlaneSums, Wall};
 
 /// Lane of a node of the water that holds the drag before the equation of motion, and the porosity after it.
 const SPARE: usize = 7;
@@ -16,15 +16,16 @@ pub(in crate::simulation) fn split(slab: &mut Slab<'_>, context: &StepContext<'_
     };
     fold_drag(slab, context);
     let (shape, pressed) = (slab.shape(), &context.nodal.water_pressures);
-    for_both(slab, |at, skeleton, flow| {
+    let axes = shape.axes;
+    for_both(slab, |node, skeleton, flow| {
         let n = porosity(&water, skeleton, flow);
-        for lane in 4..7 {
+        for lane in 4..4 + axes {
             let force = flow[lane];
             flow[lane] = n * force;
             skeleton[lane] += (1.0 - n) * force;
         }
         for plane in pressed {
-            if let Some(force) = plane.force(shape, at, volume(&water, skeleton, flow)) {
+            if let Some(force) = plane.force(shape, node.at, volume(&water, skeleton, flow)) {
                 flow[4 + plane.axis] += n * force;
                 skeleton[4 + plane.axis] -= n * force;
             }
@@ -40,31 +41,46 @@ pub(in crate::simulation) fn drag(
     context: &StepContext<'_>,
     sums: &mut [PlaneSums],
 ) {
+    if slab.shape().axes == 2 {
+        drag_along::<2>(slab, context, sums);
+    } else {
+        drag_along::<3>(slab, context, sums);
+    }
+}
+
+/// The same along so many axes.
+fn drag_along<const D: usize>(
+    slab: &mut Slab<'_>,
+    context: &StepContext<'_>,
+    sums: &mut [PlaneSums],
+) {
     let Some(water) = constants(slab, context) else {
         return;
     };
     let (shape, first) = (slab.shape(), slab.range().start);
     let (kick, gravity) = (context.nodal.kick, context.nodal.gravity);
     let ratios = water.drag_ratios();
-    let walls = [
-        context.walls_of(Owner::Phase),
-        context.walls_of(Owner::Water),
-    ];
+    let edges = [Owner::Phase, Owner::Water].map(|owner| Edges::of(context.walls_of(owner), shape));
     let pressed = &context.nodal.water_pressures;
-    for_both(slab, |at, skeleton, flow| {
+    for_both(slab, |node, skeleton, flow| {
         let b = flow[SPARE];
         flow[SPARE] = porosity(&water, skeleton, flow);
-        let of_node = [1.0 / skeleton[0], 1.0 / flow[0]];
-        // Hardly a node lies in a plane of the mesh or beyond it.
-        let inside = is_inside(shape, at);
-        let mut taken = 0.0;
-        for axis in 0..shape.axes {
-            let mut inverse = of_node;
-            for phase in 0..2 {
-                if !inside && is_prescribed(shape, walls[phase], at, axis) {
-                    inverse[phase] = 0.0;
+        let mut inverse = [[1.0 / skeleton[0]; D], [1.0 / flow[0]; D]];
+        let mut is_ghost = false;
+        if !node.inside {
+            for (inverse, edges) in inverse.iter_mut().zip(&edges) {
+                let found = edges.at(node.at);
+                is_ghost |= found & GHOST != 0;
+                for axis in 0..D {
+                    if found & (1 << axis) != 0 {
+                        inverse[axis] = 0.0;
+                    }
                 }
             }
+        }
+        let mut taken = 0.0;
+        for axis in 0..D {
+            let inverse = [inverse[0][axis], inverse[1][axis]];
             let b = b * ratios[axis];
             let before =
                 (flow[1 + axis] - flow[4 + axis]) - (skeleton[1 + axis] - skeleton[4 + axis]);
@@ -80,15 +96,15 @@ pub(in crate::simulation) fn drag(
             }
             taken += impulse * (0.5 * (before + after));
         }
-        if !inside && walls.iter().any(|walls| is_ghost(shape, walls, at)) {
+        if is_ghost {
             return;
         }
-        let sums = &mut sums[at[0] - first];
+        let sums = &mut sums[node.at[0] - first];
         sums.drag += taken;
         let weight = |axis: usize| gravity[axis] * flow[1 + axis];
-        sums.power += flow[0] * (0..shape.axes).map(weight).sum::<f64>();
+        sums.power += flow[0] * (0..D).map(weight).sum::<f64>();
         for plane in pressed {
-            if let Some(force) = plane.force(shape, at, volume(&water, skeleton, flow)) {
+            if let Some(force) = plane.force(shape, node.at, volume(&water, skeleton, flow)) {
                 let seeping = flow[1 + plane.axis] - skeleton[1 + plane.axis];
                 sums.power += flow[SPARE] * force * seeping;
             }
@@ -96,19 +112,46 @@ pub(in crate::simulation) fn drag(
     });
 }
 
-/// True for a node that lies neither in a plane of the mesh nor beyond it.
-fn is_inside(shape: &GridShape, at: [usize; 3]) -> bool {
-    (0..shape.axes).all(|axis| {
-        let layer = at[shape.direction(axis)];
-        layer > GHOSTS_BELOW && layer < GHOSTS_BELOW + shape.cells[axis]
-    })
+/// Bit of what [`Edges::at`] finds for a ghost of a wall.
+const GHOST: u8 = 1 << 3;
+
+/// The walls of a phase, by the layers of nodes that they act on.
+struct Edges {
+    /// For each direction of storage and side, the layer of a plane with the axes along which it prescribes the velocity, as
+    /// bits, and the layer of its ghosts; layers that no node has where there is no wall.
+    walls: [[(usize, u8, usize); 2]; 3],
 }
 
-/// True where a wall prescribes the velocity of a node along an axis.
-fn is_prescribed(shape: &GridShape, walls: &[Wall], at: [usize; 3], axis: usize) -> bool {
-    walls
-        .iter()
-        .any(|wall| wall.prescribes(axis) && at[shape.direction(wall.axis)] == wall.layers(shape).1)
+impl Edges {
+    fn of(walls: &[Wall], shape: &GridShape) -> Self {
+        let mut edges = Self {
+            walls: [[(usize::MAX, 0, usize::MAX); 2]; 3],
+        };
+        for wall in walls {
+            let (ghost, plane, _) = wall.layers(shape);
+            let prescribed = (0..3).filter(|axis| wall.prescribes(*axis));
+            let bits = prescribed.fold(0, |bits, axis| bits | 1 << axis);
+            edges.walls[shape.direction(wall.axis)][wall.side] = (plane, bits, ghost);
+        }
+        edges
+    }
+
+    /// The axes along which walls prescribe the velocity of a node, as bits, and [`GHOST`] for what a wall mirrors.
+    #[inline]
+    fn at(&self, at: [usize; 3]) -> u8 {
+        let mut found = 0;
+        for direction in 0..3 {
+            for (plane, bits, ghost) in self.walls[direction] {
+                if at[direction] == plane {
+                    found |= bits;
+                }
+                if at[direction] == ghost {
+                    found |= GHOST;
+                }
+            }
+        }
+        found
+    }
 }
 
 /// Gives nodes beyond planes that hold the water the porosity of the nodes that they mirror.
@@ -142,16 +185,20 @@ fn each_pair_of_walls(slab: &mut Slab<'_>, context: &StepContext<'_>, outwards: 
 /// Fills the lanes that particles gather from: the upper ones with a share of the velocity and the rest of its increment, where the share is not
 /// zero; to the three lanes from `lane` on the mean velocity (1-n) v + n w of the velocities there.
 pub(super) fn hand_over(slab: &mut Slab<'_>, share: f64, lane: Option<usize>) {
+    if share == 0.0 && lane.is_none() {
+        return;
+    }
+    let axes = slab.shape().axes;
     for_both(slab, |_, skeleton, flow| {
         if share != 0.0 {
-            for axis in 0..3 {
+            for axis in 0..axes {
                 let increment = flow[4 + axis];
                 flow[4 + axis] = increment + share * (flow[1 + axis] - increment);
             }
         }
         if let Some(lane) = lane {
             let n = flow[SPARE];
-            for axis in 0..3 {
+            for axis in 0..axes {
                 let v = skeleton[lane + axis];
                 flow[lane + axis] = v + n * (flow[lane + axis] - v);
             }
@@ -180,25 +227,44 @@ fn constants(slab: &Slab<'_>, context: &StepContext<'_>) -> Option<PoreWater> {
     context.mapping.bodies.iter().find_map(|body| body.water)
 }
 
-/// Calls `act` for each node where water and skeleton have mass, with its storage indices and the lines of both.
-fn for_both(slab: &mut Slab<'_>, mut act: impl FnMut([usize; 3], &mut Line, &mut Line)) {
+/// A node of both fields.
+struct Node {
+    /// Storage indices.
+    at: [usize; 3],
+    /// True if it lies neither in a plane of the mesh nor beyond one.
+    inside: bool,
+}
+
+/// Calls `act` for each node where water and skeleton have mass, with the lines of both.
+#[inline(always)]
+fn for_both(slab: &mut Slab<'_>, mut act: impl FnMut(&Node, &mut Line, &mut Line)) {
     let last = slab.fields.len() - 1;
     let Ok([skeleton, water]) = slab.fields.get_disjoint_mut([0, last]) else {
         return;
     };
     let (shape, range) = (water.planes.shape, water.planes.range.clone());
     let first = range.start * shape.plane_nodes();
+    let mut inside = [0..1, 0..1, 0..1];
+    for axis in 0..shape.axes {
+        inside[shape.direction(axis)] = GHOSTS_BELOW + 1..GHOSTS_BELOW + shape.cells[axis];
+    }
     for plane in range {
         for row in water.planes.rows.in_plane(plane) {
-            for k in water.planes.rows.span(plane, row) {
-                let at = [plane, row, k];
-                let index = shape.index(at) - first;
-                let lines = (
-                    &mut skeleton.planes.nodes[index],
-                    &mut water.planes.nodes[index],
-                );
-                if lines.0[0] > 0.0 && lines.1[0] > 0.0 {
-                    act(at, lines.0, lines.1);
+            let span = water.planes.rows.span(plane, row);
+            if span.is_empty() {
+                continue;
+            }
+            let own = shape.index([plane, row, span.start]) - first;
+            let own = own..own + span.len();
+            let is_inside = inside[0].contains(&plane) && inside[1].contains(&row);
+            let lines = skeleton.planes.nodes[own.clone()].iter_mut();
+            for (k, (skeleton, flow)) in span.zip(lines.zip(&mut water.planes.nodes[own])) {
+                if skeleton[0] > 0.0 && flow[0] > 0.0 {
+                    let node = Node {
+                        at: [plane, row, k],
+                        inside: is_inside && inside[2].contains(&k),
+                    };
+                    act(&node, skeleton, flow);
                 }
             }
         }

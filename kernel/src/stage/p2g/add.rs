@@ -4,8 +4,8 @@
 //! derivative unless velocity is affine, and a mapping that carries one half alone leaves the other out. Either way a
 //! number has the same terms in the same order.
 
+use super::Carry;
 use super::scratch::Scratch;
-use super::{Carry, WATER};
 use crate::grid::Line;
 use crate::lanes::{Backend, Lanes};
 use std::ops::Range;
@@ -37,7 +37,6 @@ pub(super) fn add_run<
     const N: usize,
     const FULL: bool,
     const GRADIENT: bool,
-    const EXTRA: u8,
 >(
     scratch: &Scratch<N>,
     carry: Carry,
@@ -45,13 +44,13 @@ pub(super) fn add_run<
     nodes: &mut [Line],
 ) {
     if B::WHOLE_LINE {
-        return add_part::<B::Line, D, N, FULL, GRADIENT, EXTRA, BOTH>(scratch, below, nodes);
+        return add_part::<B::Line, D, N, FULL, GRADIENT, BOTH>(scratch, below, nodes);
     }
     if matches!(carry, Carry::All | Carry::Momentum) {
-        add_part::<B::Half, D, N, FULL, GRADIENT, EXTRA, LOWER>(scratch, below, nodes);
+        add_part::<B::Half, D, N, FULL, GRADIENT, LOWER>(scratch, below, nodes);
     }
     if carry != Carry::Momentum {
-        add_part::<B::Half, D, N, FULL, GRADIENT, EXTRA, UPPER>(scratch, below, nodes);
+        add_part::<B::Half, D, N, FULL, GRADIENT, UPPER>(scratch, below, nodes);
     }
 }
 
@@ -63,7 +62,6 @@ fn add_part<
     const N: usize,
     const FULL: bool,
     const GRADIENT: bool,
-    const EXTRA: u8,
     const PART: u8,
 >(
     scratch: &Scratch<N>,
@@ -72,15 +70,15 @@ fn add_part<
 ) {
     let mut j = below.rows.start;
     if N == 3 && below.rows.len() == 3 {
-        return add_rows::<L, D, N, FULL, GRADIENT, EXTRA, PART, 3>(scratch, below, nodes, j);
+        return add_rows::<L, D, N, FULL, GRADIENT, PART, 3>(scratch, below, nodes, j);
     }
     while N != 3 && j + 2 <= below.rows.end {
-        add_rows::<L, D, N, FULL, GRADIENT, EXTRA, PART, 2>(scratch, below, nodes, j);
+        add_rows::<L, D, N, FULL, GRADIENT, PART, 2>(scratch, below, nodes, j);
         j += 2;
     }
     // At the edge of what is owned, in two dimensions.
     while D == 2 && j < below.rows.end {
-        add_rows::<L, D, N, FULL, GRADIENT, EXTRA, PART, 1>(scratch, below, nodes, j);
+        add_rows::<L, D, N, FULL, GRADIENT, PART, 1>(scratch, below, nodes, j);
         j += 1;
     }
 }
@@ -93,7 +91,6 @@ fn add_rows<
     const N: usize,
     const FULL: bool,
     const GRADIENT: bool,
-    const EXTRA: u8,
     const PART: u8,
     const ROWS: usize,
 >(
@@ -123,7 +120,7 @@ fn add_rows<
     }
     for p in below.run.clone() {
         let [by_weight, by_middle, by_fast] =
-            in_plane::<L, D, N, FULL, GRADIENT, EXTRA, PART>(scratch, below.plane, p);
+            in_plane::<L, D, N, FULL, GRADIENT, PART>(scratch, below.plane, p);
         for r in 0..ROWS {
             let w = scratch.w[middle][j + r][p];
             let mut s = if packed {
@@ -171,7 +168,6 @@ fn in_plane<
     const N: usize,
     const FULL: bool,
     const GRADIENT: bool,
-    const EXTRA: u8,
     const PART: u8,
 >(
     scratch: &Scratch<N>,
@@ -191,12 +187,7 @@ fn in_plane<
     let by_weight = if FULL {
         along::<L, N, FULL, PART>(scratch, 0, plane, p).mul_add(lines[1], w * lines[0])
     } else if GRADIENT {
-        let lanes = if EXTRA == WATER {
-            PRESSURE
-        } else {
-            UPPER_LANES
-        };
-        splat_for::<L, PART>(weight, scratch.g[0][plane][p], lanes) * lines[0]
+        splat_for::<L, PART>(weight, scratch.g[0][plane][p], UPPER_LANES) * lines[0]
     } else {
         w * lines[0]
     };
@@ -225,8 +216,6 @@ fn along<L: Lanes, const N: usize, const FULL: bool, const PART: u8>(
 const UPPER_LANES: u8 = 0xf0;
 const SLOW: u8 = 0x30;
 const FAST: u8 = 0xc0;
-/// Those of the force of the pore pressure in space, beside which the drag goes with the weight.
-const PRESSURE: u8 = 0x70;
 
 /// Lanes in use of a line with `b` in some lanes and `a` in the others.
 #[inline(always)]

@@ -19,7 +19,6 @@ use super::{Block, Mapping, block_at};
 use crate::grid::Line;
 use crate::lanes::{Backend, Kernel, SelectedLanes};
 use crate::layout::Layout;
-use crate::model::PoreWater;
 use crate::weights::Family;
 use add::{RunRows, add_run};
 use products::{Products, add_linear, add_products};
@@ -27,6 +26,7 @@ use runs::{GroupCount, Runs};
 use scratch::Scratch;
 use source::P2gSource;
 use std::ops::Range;
+pub(crate) use water::{WaterCarry, WaterP2g};
 
 /// Quantities that are carried to the nodes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -67,8 +67,6 @@ pub struct P2g<'a> {
     pub carry: Carry,
     /// Rate of viscous damping, f = -rate m v \[1/s\] (Liang et al. 2024, eq. 20); 0 for none.
     pub viscous_rate: f64,
-    /// The water in the pores, where it is mapped.
-    pub water: Option<&'a PoreWater>,
 }
 
 /// An instance carries nothing beyond mass, momentum and force.
@@ -81,12 +79,8 @@ const MEAN_STRESS: u8 = 2;
 const AXISYMMETRIC: u8 = 3;
 /// It carries the gradient of mass over radius instead of them.
 const RING_GRADIENT: u8 = 4;
-/// It carries those of the pore water instead of those of the skeleton, and its drag.
-const WATER: u8 = 5;
-/// It carries the force of the mean pressure of the pore water instead of them.
-const MEAN_PRESSURE: u8 = 6;
 /// It carries the force of the mean stress instead of them, where the first axis is a radius.
-const RING_MEAN: u8 = 7;
+const RING_MEAN: u8 = 5;
 
 /// Form of the sums over the nodes.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -135,23 +129,6 @@ pub fn instance(axes: usize, radial: bool, nodes: usize, full: bool, carry: Carr
         (Carry::Momentum | Carry::Remap, _, _) if full => with_gradient::<3, NOTHING>(nodes, full),
         (Carry::Momentum | Carry::Remap, 2, _) => by_nodes::<2, false, false, NOTHING>(nodes),
         (Carry::Momentum | Carry::Remap, _, _) => by_nodes::<3, false, false, NOTHING>(nodes),
-    }
-}
-
-/// The same for the pore water: mass, momentum, force of the pressure sum V p grad S and the drag along the first axis sum V D S
-/// ([`join_with_drag`], in space in lane 7); with [`Carry::Remap`] momentum to the upper lanes, with [`Carry::MeanStress`] what
-/// means over cells change of the force.
-#[must_use]
-pub(crate) fn water_instance(axes: usize, stencil: usize, carry: Carry) -> P2gFn {
-    match (carry, axes, stencil) {
-        (Carry::Remap, 2, 4) => entry::<2, 4, false, false, WATER>,
-        (Carry::Remap, 2, _) => entry::<2, 3, false, false, WATER>,
-        (Carry::Remap, _, 4) => entry::<3, 4, false, false, WATER>,
-        (Carry::Remap, _, _) => entry::<3, 3, false, false, WATER>,
-        (Carry::MeanStress { .. }, 2, _) => from_three::<2, MEAN_PRESSURE>(stencil),
-        (Carry::MeanStress { .. }, _, _) => from_three::<3, MEAN_PRESSURE>(stencil),
-        (_, 2, _) => from_three::<2, WATER>(stencil),
-        (_, _, _) => from_three::<3, WATER>(stencil),
     }
 }
 
@@ -218,7 +195,7 @@ impl<const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool, con
         let as_products = D == 3
             && N == 3
             && GRADIENT
-            && (EXTRA == NOTHING || EXTRA == WATER)
+            && EXTRA == NOTHING
             && call.carry == Carry::All
             && call.mapping.family != Family::Hat;
         let sums = match as_products {
@@ -232,7 +209,6 @@ impl<const D: usize, const N: usize, const FULL: bool, const GRADIENT: bool, con
             mapping: call.mapping,
             carry: call.carry,
             viscous_rate: call.viscous_rate,
-            water: call.water,
             stress_factor: match sums {
                 SumForm::Linear => INVERSE_INERTIA,
                 SumForm::Rows | SumForm::Products => 1.0,
@@ -302,14 +278,6 @@ pub fn join_with_hoop(line: &mut Line) {
     line[3] = 0.0;
 }
 
-/// The same for the pore water, whose drag lies in the lane of the third component of momentum: it goes to lane 7.
-#[inline(always)]
-pub(crate) fn join_with_drag(line: &mut Line) {
-    join(line);
-    line[7] = line[3];
-    line[3] = 0.0;
-}
-
 /// True if a stage leaves a node in two parts, which [`join`] adds.
 #[must_use]
 pub(crate) fn leaves_parts(axes: usize, full: bool, carry: Carry) -> bool {
@@ -353,8 +321,7 @@ impl OwnedNodes<'_> {
             return;
         }
         // What has no instance is never asked for.
-        let has_products = EXTRA == NOTHING || EXTRA == WATER;
-        let sums = if D == 3 && N == 3 && !ON_NODES && GRADIENT && has_products {
+        let sums = if D == 3 && N == 3 && !ON_NODES && GRADIENT && EXTRA == NOTHING {
             from.sums
         } else {
             SumForm::Rows
@@ -371,8 +338,7 @@ impl OwnedNodes<'_> {
         } else {
             products.fill::<B::Line, FULL>(from, block, at, sums == SumForm::Linear);
         }
-        let has_means = EXTRA == MEAN_STRESS || EXTRA == MEAN_PRESSURE || EXTRA == RING_MEAN;
-        if has_means && averaged {
+        if (EXTRA == MEAN_STRESS || EXTRA == RING_MEAN) && averaged {
             scratch.take_cell_means::<B::Line, D>();
         }
         if EXTRA == RING_MEAN {
@@ -397,7 +363,7 @@ impl OwnedNodes<'_> {
                     rows: own.start - first_plane..own.end - first_plane,
                     row_length,
                 };
-                add_run::<B, D, N, FULL, GRADIENT, EXTRA>(scratch, from.carry, &below, nodes);
+                add_run::<B, D, N, FULL, GRADIENT>(scratch, from.carry, &below, nodes);
             } else {
                 for plane in own {
                     let row = (plane - planes.start) * mapping.nodes[1] + row;
@@ -411,13 +377,11 @@ impl OwnedNodes<'_> {
                     let lines = &scratch.lines;
                     match sums {
                         SumForm::Products => {
-                            add_products::<B, FULL, EXTRA>(products, lines, &below, nodes);
+                            add_products::<B, FULL>(products, lines, &below, nodes);
                         }
                         SumForm::Linear if FULL => add_linear::<B>(products, lines, &below, nodes),
                         _ => {
-                            add_run::<B, D, N, FULL, GRADIENT, EXTRA>(
-                                scratch, from.carry, &below, nodes,
-                            );
+                            add_run::<B, D, N, FULL, GRADIENT>(scratch, from.carry, &below, nodes);
                         }
                     }
                 }

@@ -12,7 +12,6 @@
 //! So a node takes one addition and one multiply-add per half, and the products of weights are formed for all particles of a
 //! block at once. Where a weight is zero, so is its product with a finite number.
 
-use super::WATER;
 use super::add::RunRows;
 use super::scratch::Lines;
 use super::source::P2gSource;
@@ -91,7 +90,7 @@ impl Products {
 /// Where both halves of a node are one register, they are added at once; with affine terms their factors differ, and each half
 /// has a loop of its own.
 #[inline(always)]
-pub(super) fn add_products<B: Backend, const FULL: bool, const EXTRA: u8>(
+pub(super) fn add_products<B: Backend, const FULL: bool>(
     products: &Products,
     lines: &Lines,
     below: &RunRows,
@@ -100,11 +99,6 @@ pub(super) fn add_products<B: Backend, const FULL: bool, const EXTRA: u8>(
     if FULL {
         products.add::<Linear<0, 4>, B::Half>(lines, below, nodes);
         products.add::<AffineForce, B::Half>(lines, below, nodes);
-    } else if EXTRA == WATER && B::WHOLE_LINE {
-        products.add::<WholeOfWater, B::Line>(lines, below, nodes);
-    } else if EXTRA == WATER {
-        products.add::<Momentum, B::Half>(lines, below, nodes);
-        products.add::<PressureAndDrag, B::Half>(lines, below, nodes);
     } else if B::WHOLE_LINE {
         products.add::<Whole, B::Line>(lines, below, nodes);
     } else {
@@ -246,44 +240,6 @@ impl Part for Whole {
         let ratio = products.ratio[0][plane][p];
         let slow = L::splat_two(1.0, ratio, 0xf0) * L::load(&line[0][Self::LANES]);
         // The other lines have nothing in the lower lanes.
-        of_ratios::<L>(products, line, Self::LANES, slow, p)
-    }
-}
-
-/// Force of the pore pressure, and the drag, which is the same at all nodes.
-struct PressureAndDrag;
-
-impl Part for PressureAndDrag {
-    const LANES: Range<usize> = 4..8;
-
-    #[inline(always)]
-    fn at_nodes<L: Lanes>(
-        products: &Products,
-        line: &[[f64; 8]; 4],
-        plane: usize,
-        p: usize,
-    ) -> [L; 9] {
-        let ratio = products.ratio[0][plane][p];
-        let slow = L::splat_two(ratio, 1.0, 0x8) * L::load(&line[0][Self::LANES]);
-        of_ratios::<L>(products, line, Self::LANES, slow, p)
-    }
-}
-
-/// [`Momentum`] and [`PressureAndDrag`].
-struct WholeOfWater;
-
-impl Part for WholeOfWater {
-    const LANES: Range<usize> = 0..8;
-
-    #[inline(always)]
-    fn at_nodes<L: Lanes>(
-        products: &Products,
-        line: &[[f64; 8]; 4],
-        plane: usize,
-        p: usize,
-    ) -> [L; 9] {
-        let ratio = products.ratio[0][plane][p];
-        let slow = L::splat_two(1.0, ratio, 0x70) * L::load(&line[0][Self::LANES]);
         of_ratios::<L>(products, line, Self::LANES, slow, p)
     }
 }

@@ -1,10 +1,7 @@
 //! Weights and quantities of a block of particles, as the sums over nodes want them.
 
 use super::source::{P2gSource, line_of, place_of};
-use super::{
-    AXISYMMETRIC, Carry, MASS_GRADIENT, MEAN_PRESSURE, MEAN_STRESS, RING_GRADIENT, RING_MEAN,
-    WATER, voigt, water,
-};
+use super::{AXISYMMETRIC, Carry, MASS_GRADIENT, MEAN_STRESS, RING_GRADIENT, RING_MEAN, voigt};
 use crate::lanes::{Lanes, Quad, load};
 use crate::layout::Layout;
 use crate::stage::{Block, Mapping, radii, weights_of};
@@ -174,14 +171,6 @@ fn rows<Q: Quad, const D: usize, const FULL: bool, const EXTRA: u8>(
 ) -> ([[Q; 4]; 4], [[Q; 4]; 4]) {
     let zero = Q::splat(0.0);
     let (mut lower, mut upper) = ([[zero; 4]; 4], [[zero; 4]; 4]);
-    if EXTRA == WATER {
-        water::rows::<Q, D>(from, at, count, (&mut lower, &mut upper));
-        return (lower, upper);
-    }
-    if EXTRA == MEAN_PRESSURE {
-        water::rows_of_mean::<Q, D>(from, at, count, &mut upper);
-        return (lower, upper);
-    }
     let (columns, mapping, carry) = (from.columns, from.mapping, from.carry);
     let m = load::<Q>(&columns[Layout::MASS], at, count);
     if EXTRA == MASS_GRADIENT || EXTRA == RING_GRADIENT {

@@ -2,7 +2,6 @@
 
 use super::{Carry, SumForm};
 use crate::layout::Layout;
-use crate::model::PoreWater;
 use crate::stage::Mapping;
 
 /// Source of the quantities, and the choice of them.
@@ -17,8 +16,6 @@ pub(super) struct P2gSource<'a> {
     pub carry: Carry,
     /// Rate of viscous damping \[1/s\]; 0 for none.
     pub viscous_rate: f64,
-    /// The water in the pores, where it is mapped.
-    pub water: Option<&'a PoreWater>,
     /// Form of the sums.
     pub sums: SumForm,
     /// Factor of the stress.

@@ -88,12 +88,6 @@ pub(super) const ALL: &[ForeignWord] = &[
     ),
     entry(
         "",
-        &["su_vertical_stress"],
-        &["material.cohesion"],
-        "not covered: strength that grows with the vertical stress; here layers of `type` \"tresca\" with a `cohesion` each",
-    ),
-    entry(
-        "",
         &["stl_contact_mesh"],
         &[],
         "not covered: rigid surfaces are not written; a viewer opens their STL files beside particles.pvd",

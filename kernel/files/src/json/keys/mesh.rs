@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::{RawWaterPlanes, RawWaterPressures};
+use super::{RawWaterLevels, RawWaterPlanes, RawWaterPressures};
 use crate::json::lists::Comment;
 
 /// Background mesh.
@@ -48,6 +48,13 @@ pub(in crate::json) struct RawMesh {
         "x-needs" = "`n_phases` 2", "x-default" = "none", "examples" = [{"plane_Y0": 1000}]
     ))]
     pub boundary_pressures_fluid: Option<RawWaterPressures>,
+    /// Levels of water at rest beyond planes, through which the pore water flows freely: its pressure there is that below the
+    /// level, and none above it. A level is a coordinate along the axis that most of gravity is along, constant or as rows of a time
+    /// and a level, linear between them and constant outside. The weight of that water on the skeleton is a traction of its own.
+    #[schemars(extend(
+        "x-needs" = "`n_phases` 2, `gravity`", "x-default" = "none", "examples" = [{"plane_X0": 3}]
+    ))]
+    pub boundary_levels_fluid: Option<RawWaterLevels>,
     /// Words for people, in every object: one text or a list of them. Nothing reads them.
     #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
     #[expect(dead_code, reason = "words for people")]

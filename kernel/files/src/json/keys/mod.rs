@@ -39,7 +39,7 @@ pub(super) use self::contact::{
 pub(super) use self::ground::{RawLayer, RawZone};
 pub(super) use self::mesh::{RawEarthquake, RawMesh, RawPlanes};
 pub(super) use self::water::{
-    RawMaterialPressure, RawPressureBox, RawWaterPlanes, RawWaterPressures,
+    RawMaterialPressure, RawPressureBox, RawWaterLevels, RawWaterPlanes, RawWaterPressures,
 };
 
 /// A scene: what is simulated, in SI units.

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::json::lists::Comment;
+use crate::json::lists::{Comment, NumberOrTable};
 
 /// Conditions on the planes of the mesh for pore water: `free` drains, `sliding` lets none through, `fixed` holds it.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
@@ -85,6 +85,43 @@ pub(in crate::json) struct RawWaterPressures {
     #[serde(rename = "plane_Zn")]
     #[schemars(extend("x-needs" = "`dimension` 3", "x-unit" = "Pa", "x-default" = "none", "examples" = [1000]))]
     pub zn: Option<f64>,
+    /// Words for people, in every object: one text or a list of them. Nothing reads them.
+    #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
+    #[expect(dead_code, reason = "words for people")]
+    pub comment: Option<Comment>,
+}
+
+/// Levels of water that stands beyond planes of the mesh.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(
+    deny_unknown_fields,
+    expecting = "an object with the planes of the mesh"
+)]
+pub(in crate::json) struct RawWaterLevels {
+    /// Lower plane of x.
+    #[serde(rename = "plane_X0")]
+    #[schemars(extend("x-unit" = "m, or s and m", "x-default" = "none", "examples" = [3, [[0, 3], [60, 1]]]))]
+    pub x0: Option<NumberOrTable>,
+    /// Upper plane of x.
+    #[serde(rename = "plane_Xn")]
+    #[schemars(extend("x-unit" = "m, or s and m", "x-default" = "none", "examples" = [3, [[0, 3], [60, 1]]]))]
+    pub xn: Option<NumberOrTable>,
+    /// Lower plane of y.
+    #[serde(rename = "plane_Y0")]
+    #[schemars(extend("x-unit" = "m, or s and m", "x-default" = "none", "examples" = [3, [[0, 3], [60, 1]]]))]
+    pub y0: Option<NumberOrTable>,
+    /// Upper plane of y.
+    #[serde(rename = "plane_Yn")]
+    #[schemars(extend("x-unit" = "m, or s and m", "x-default" = "none", "examples" = [3, [[0, 3], [60, 1]]]))]
+    pub yn: Option<NumberOrTable>,
+    /// Lower plane of z.
+    #[serde(rename = "plane_Z0")]
+    #[schemars(extend("x-needs" = "`dimension` 3", "x-unit" = "m, or s and m", "x-default" = "none", "examples" = [3, [[0, 3], [60, 1]]]))]
+    pub z0: Option<NumberOrTable>,
+    /// Upper plane of z.
+    #[serde(rename = "plane_Zn")]
+    #[schemars(extend("x-needs" = "`dimension` 3", "x-unit" = "m, or s and m", "x-default" = "none", "examples" = [3, [[0, 3], [60, 1]]]))]
+    pub zn: Option<NumberOrTable>,
     /// Words for people, in every object: one text or a list of them. Nothing reads them.
     #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
     #[expect(dead_code, reason = "words for people")]

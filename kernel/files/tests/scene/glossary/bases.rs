@@ -122,6 +122,7 @@ fn of_wet_soil(axes: usize) -> Value {
     scene["gravity"] = [vec![0.0; axes - 1], vec![-9.81]].concat().into();
     scene["mesh"]["boundary_conditions_fluid"] = json!({});
     scene["mesh"]["boundary_pressures_fluid"] = json!({});
+    scene["mesh"]["boundary_levels_fluid"] = json!({});
     scene["initial_pressure_material"] = json!([{"material_id": 1, "pressure": 10}]);
     scene["initial_pressure_box"] =
         json!([{"point_p1": vec![0; axes], "point_p2": vec![1; axes], "pressure": 10}]);
@@ -213,6 +214,16 @@ pub fn bases() -> Vec<Value> {
             of_fluid(axes, &none),
             of_fluid(axes, &json!({"type": "bingham", "yield_stress": 10})),
             of_material(axes, &json!({"type": "tresca", "cohesion": 1e6})),
+            of_material(
+                axes,
+                &json!({
+                    "type": "mu_i", "static_friction": 0.4, "largest_friction": 0.6, "grain_diameter": 1e-3,
+                }),
+            ),
+            of_material(
+                axes,
+                &json!({"type": "undrained_clay", "su_vertical_stress": 0.2, "least_strength": 1e3}),
+            ),
             of_material(axes, &json!({"type": "drucker_prager", "friction": 30, "cohesion": 1e6})),
             of_material(axes, &json!({"type": "mohr_coulomb", "friction": 30, "cohesion": 1e6})),
             of_material(

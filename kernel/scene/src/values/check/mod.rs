@@ -10,6 +10,7 @@ mod load;
 mod mortar;
 mod results;
 mod revolution;
+mod strength;
 mod surface;
 mod water;
 
@@ -44,6 +45,7 @@ impl Scene {
         mortar::check(self, &mut problems);
         surface::check(self, &mut problems);
         revolution::check(self, &mut problems);
+        strength::check(self, &mut problems);
         water::check(self, &mut problems);
         results::check(self, &mut problems);
         SceneError::unless_empty(problems.found)

@@ -1,9 +1,12 @@
 //! Pore water: its constants, where it begins, and what does not go with it yet.
 
 use super::collector::Collector;
+use super::history::check_history;
 use crate::values::{InitialPressure, InitialStress, Scene};
 use proctor_geometry::number::Number;
-use proctor_kernel::model::{Damping, PlaneCondition, StressScheme, TransferKind, Weighting};
+use proctor_kernel::model::{
+    Damping, PlaneCondition, PlanePressure, StressScheme, TransferKind, Weighting,
+};
 
 pub(super) fn check(scene: &Scene, problems: &mut Collector) {
     if !scene.has_water() {
@@ -109,10 +112,41 @@ fn check_planes(scene: &Scene, problems: &mut Collector) {
                     "`free`, `sliding` or `fixed`",
                 );
             }
-            if let Some(pressure) = scene.water_pressures[axis][side] {
+            if scene.mesh.planes[axis][side] == PlaneCondition::Antisymmetric
+                && condition != PlaneCondition::Free
+            {
                 let (letter, end) = (["X", "Y", "Z"][axis], ["0", "n"][side]);
-                let path = format!("mesh.boundary_pressures_fluid.plane_{letter}{end}");
-                problems.finite(&path, pressure);
+                problems.add(
+                    format!("mesh.boundary_conditions_fluid.plane_{letter}{end}"),
+                    format!(
+                        "{} at a plane that is antisymmetric for the skeleton",
+                        condition.word()
+                    ),
+                    "`free`: the skeleton moves through the plane, and the water with it",
+                );
+            }
+            if let Some(pressure) = &scene.water_pressures[axis][side] {
+                let (letter, end) = (["X", "Y", "Z"][axis], ["0", "n"][side]);
+                let keys = match pressure {
+                    PlanePressure::Uniform(_) => "boundary_pressures_fluid",
+                    PlanePressure::Level(_) => "boundary_levels_fluid",
+                };
+                let path = format!("mesh.{keys}.plane_{letter}{end}");
+                match pressure {
+                    PlanePressure::Uniform(pressure) => {
+                        problems.finite(&path, *pressure);
+                    }
+                    PlanePressure::Level(history) => {
+                        check_history(&path, history, problems);
+                        if scene.gravity == [0.0; 3] {
+                            problems.add(
+                                &path,
+                                "a level of water without gravity",
+                                "`gravity`, or a pressure in `boundary_pressures_fluid`",
+                            );
+                        }
+                    }
+                }
                 if condition != PlaneCondition::Free {
                     problems.add(
                         path,
@@ -194,12 +228,10 @@ fn check_method(scene: &Scene, problems: &mut Collector) {
 
 /// Other parts of the scene.
 fn check_company(scene: &Scene, problems: &mut Collector) {
-    let absorbs = (scene.mesh.planes.iter().flatten()).any(|plane| {
-        matches!(
-            plane,
-            PlaneCondition::Absorbing | PlaneCondition::Antisymmetric
-        )
-    });
+    let planes = scene.mesh.planes.iter().flatten();
+    let absorbs = planes
+        .into_iter()
+        .any(|plane| *plane == PlaneCondition::Absorbing);
     let mortar = &scene.mortar;
     for (path, is, found) in [
         ("contacts", !scene.contacts.is_empty(), "contact"),
@@ -211,11 +243,7 @@ fn check_company(scene: &Scene, problems: &mut Collector) {
         ("surfaces", !scene.surfaces.is_empty(), "a rigid surface"),
         ("earthquake", scene.base_motion.is_some(), "a moving plane"),
         ("held_boxes", !scene.held_boxes.is_empty(), "a held box"),
-        (
-            "mesh.boundary_conditions",
-            absorbs,
-            "an absorbing or antisymmetric plane",
-        ),
+        ("mesh.boundary_conditions", absorbs, "an absorbing plane"),
     ] {
         if is {
             let found = format!("{found} with `n_phases` 2");
