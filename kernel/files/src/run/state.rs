@@ -5,8 +5,9 @@ use crate::output::{Checkpoint, CheckpointError};
 use proctor_kernel::particles::ParticleSet;
 use proctor_kernel::stage::g2p::ParticleMaxima;
 use proctor_scene::simulation::{
-    AbsorbingNode, Clock, EnergyLedger, Event, EventKind, Extremes, Groups, Invariant,
-    InvariantMonitor, ParticleAt, RestoreError, SavedState, Simulation, State, Violation,
+    AbsorbingNode, Clock, EnergyLedger, Event, EventKind, Extremes, FreeGroundNode, Groups,
+    Invariant, InvariantMonitor, ParticleAt, RestoreError, SavedState, Simulation, State,
+    Violation,
 };
 use proctor_scene::{Results, Scene, StateFile};
 use std::path::PathBuf;
@@ -81,6 +82,7 @@ pub(super) fn save(simulation: &Simulation) -> Checkpoint {
     save_events(&state.events, &mut checkpoint);
     save_trust(&state.invariants, &mut checkpoint);
     save_absorbing(&state.absorbing, state.ledger.absorbed, &mut checkpoint);
+    save_free_ground(&state.free_ground, &mut checkpoint);
     if wet {
         checkpoint.push::<f64>(DRAG, vec![state.ledger.drag]);
     }
@@ -221,6 +223,7 @@ fn read(checkpoint: &Checkpoint, like: SavedState) -> Result<SavedState, Checkpo
     }
     state.events = read_events(checkpoint)?;
     state.ledger.absorbed = read_absorbing(checkpoint, &mut state.absorbing)?;
+    read_free_ground(checkpoint, &mut state.free_ground)?;
     if is_wet(&state.sets) {
         state.ledger.drag = checkpoint.array::<f64>(DRAG, 1)?[0];
     }
@@ -338,6 +341,32 @@ fn read_absorbing(
         *one = AbsorbingNode::from_numbers(node as usize, numbers);
     }
     Ok(checkpoint.array::<f64>("absorbing/energy", 1)?[0])
+}
+
+/// Section of the motion of free ground beside absorbing sides.
+const FREE_GROUND: &str = "absorbing/free-ground";
+
+fn save_free_ground(nodes: &[FreeGroundNode], checkpoint: &mut Checkpoint) {
+    if !nodes.is_empty() {
+        let numbers = nodes.iter().flat_map(FreeGroundNode::motion);
+        checkpoint.push::<f64>(FREE_GROUND, numbers.collect());
+    }
+}
+
+fn read_free_ground(
+    checkpoint: &Checkpoint,
+    nodes: &mut [FreeGroundNode],
+) -> Result<(), CheckpointError> {
+    if nodes.is_empty() {
+        return Ok(());
+    }
+    let all = FreeGroundNode::NUMBERS * nodes.len();
+    let numbers = checkpoint.array::<f64>(FREE_GROUND, all)?;
+    let (numbers, _) = numbers.as_chunks();
+    for (node, numbers) in nodes.iter_mut().zip(numbers) {
+        node.set_motion(*numbers);
+    }
+    Ok(())
 }
 
 fn save_events(events: &[Event], checkpoint: &mut Checkpoint) {

@@ -5,6 +5,8 @@
 //! that comes in, k the stiffness of a spring, d the displacement since the start. R balances the stress and the weight that
 //! are there at the start, so that ground at rest stays at rest.
 //!
+//! Beside a base that shakes the ground beyond a side moves too: v is then that against free ground (`free_ground.rs`).
+//!
 //! An antisymmetric plane has R alone: the ground beside it bears the stress that is there at the start.
 //!
 //! v is the mean of the velocities before and after the kick. The dashpot is then implicit: it takes exactly Z v² dt, is of
@@ -13,7 +15,7 @@
 
 use super::{ConditionResult, ConditionType};
 use crate::grid::{GridShape, Line};
-use crate::model::{CycleSettings, PlaneCondition};
+use crate::model::{CycleSettings, PlaneCondition, Vector};
 use crate::simulation::Cycle;
 use crate::simulation::context::{Condition, FieldNodes, NodalConditions};
 use crate::simulation::fields::SlabField;
@@ -29,7 +31,9 @@ struct AbsorbingPlanes;
 /// Absorbing planes.
 pub(super) const ABSORBING_PLANES: ConditionType = ConditionType {
     plan_entries: |settings, list| {
-        let why = if settings.absorbs() {
+        let why = if settings.has_free_ground() {
+            "waves leave through a plane; free ground moves beside the sides"
+        } else if settings.absorbs() {
             "waves leave through a plane"
         } else {
             "antisymmetric planes bear the stress of the start"
@@ -133,16 +137,15 @@ impl Cycle {
         if self.state.absorbing.is_empty() {
             return;
         }
-        let middle = 0.5 * (nodal.half_steps[0] + nodal.half_steps[1]);
         let incoming = self.model.settings.ground_beyond.incoming.as_ref();
-        let wave = self.model.incoming.as_ref().map(|wave| wave.at(middle));
+        let incoming_velocity = self.wave_of(nodal);
         let shape = &self.work.grid.shape;
         nodal
             .absorbing
             .extend(self.state.absorbing.iter().map(|one| {
                 let enters = incoming
                     .is_some_and(|wave| shape.lies_in_plane(one.node, wave.axis, wave.side));
-                let wave = wave.filter(|_| enters).unwrap_or_default();
+                let wave = if enters { incoming_velocity } else { [0.0; 3] };
                 DashpotNode {
                     node: one.node,
                     impedance: one.impedance,
@@ -152,16 +155,29 @@ impl Cycle {
                     }),
                 }
             }));
+        self.add_free_ground(nodal, incoming_velocity);
+    }
+
+    /// Velocity of the wave that comes in, in the middle of a kick \[m/s\].
+    pub(in crate::simulation) fn wave_of(&self, nodal: &NodalConditions) -> Vector {
+        let middle = 0.5 * (nodal.half_steps[0] + nodal.half_steps[1]);
+        let wave = self.model.incoming.as_ref();
+        wave.map_or([0.0; 3], |wave| wave.at(middle))
     }
 
     /// Adds the displacement increment of a step at the nodes of absorbing planes, after the equation of motion.
     ///
     /// # Errors
     /// The material at a plane has moved off it by half a cell: the dashpots, which stay at their nodes, hold nothing there.
-    pub(in crate::simulation) fn move_absorbing(&mut self, drift: &Drift) -> Result<(), StepError> {
+    pub(in crate::simulation) fn move_absorbing(
+        &mut self,
+        nodal: &NodalConditions,
+        drift: &Drift,
+    ) -> Result<(), StepError> {
         if self.state.absorbing.is_empty() {
             return Ok(());
         }
+        self.move_free_ground(nodal, drift);
         let mut nodes = std::mem::take(&mut self.state.absorbing);
         for one in &mut nodes {
             let (mut mass, mut momentum) = (0.0, [0.0; 3]);

@@ -5,6 +5,7 @@
 //! the grid, which is scratch between steps, nor laws, loads and surfaces. How it is written is not known here.
 
 use super::absorbing::AbsorbingNode;
+use super::free_ground::FreeGroundNode;
 use super::clock::Clock;
 use super::event::Event;
 use super::extremes::Extremes;
@@ -47,6 +48,8 @@ pub struct State {
     pub start_spin: Option<Spin>,
     /// Nodes of absorbing planes, increasing.
     pub absorbing: Vec<AbsorbingNode>,
+    /// Nodes of free ground beside absorbing sides, column by column.
+    pub free_ground: Vec<FreeGroundNode>,
 }
 
 /// Running sums of the energy balance.
@@ -149,6 +152,7 @@ impl State {
             extremes: Extremes::default(),
             start_spin: None,
             absorbing: vec![],
+            free_ground: vec![],
         }
     }
 }
