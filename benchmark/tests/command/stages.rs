@@ -209,7 +209,7 @@ fn a_stage_goes_on_from_its_checkpoint() {
         "{text}"
     );
     let mut other = staged();
-    other["stages"][1]["gravity"] = json!([0, -12]);
+    other["stages"][1]["pic_fraction"] = json!(0.1);
     let other = desk.scene("stages.json", &other);
     let output = desk.run(&other, "cut", &["--restart", &checkpoint]);
     assert_eq!(code(&output), 2);

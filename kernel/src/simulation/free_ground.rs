@@ -20,6 +20,8 @@ use std::collections::BTreeMap;
 
 /// Cells from a side within which particles can reach its nodes.
 const REACH: f64 = 2.0;
+/// Least share of a cell that ground covers at a node of a column: it ends below the others.
+const LEAST_SHARE: f64 = 0.05;
 /// Least length of a column that a node stands for, in cells: less mass would swing faster than a step resolves.
 const LEAST_LENGTH: f64 = 0.25;
 
@@ -60,7 +62,8 @@ impl Cycle {
         for (axis, side) in settings.free_sides(up) {
             let ground = self.ground_at(axis, side);
             self.add_links(&ground, (axis, side), up, &mut links);
-            for (one, covered) in Ground::covered(&ground) {
+            let covered = Ground::covered(&ground);
+            for (one, covered) in covered.filter(|(one, area)| *area > LEAST_SHARE * one.area) {
                 let Ok(absorbing) =
                     (self.state.absorbing).binary_search_by_key(&one.node, |node| node.node)
                 else {

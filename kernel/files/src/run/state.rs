@@ -1,6 +1,6 @@
 //! The whole state of a simulation in a checkpoint, bit by bit.
 
-use super::RunError;
+use super::{RunError, restart};
 use crate::output::{Checkpoint, CheckpointError};
 use proctor_kernel::particles::ParticleSet;
 use proctor_kernel::stage::g2p::ParticleMaxima;
@@ -12,8 +12,8 @@ use proctor_scene::simulation::{
 use proctor_scene::{Results, Scene, StateFile};
 use std::path::PathBuf;
 
-/// Fingerprint of what a scene simulates: not its name, its end, its outputs or its threads, which a restart may
-/// change.
+/// Fingerprint of what a scene simulates: not its name, its end, its gravity, its local damping, its outputs or its threads,
+/// which a restart may change.
 pub(super) fn fingerprint(scene: &Scene) -> u64 {
     let what = Scene {
         name: String::new(),
@@ -27,7 +27,7 @@ pub(super) fn fingerprint(scene: &Scene) -> u64 {
             file: PathBuf::new(),
             ..state.clone()
         }),
-        ..scene.clone()
+        ..restart::without(scene)
     };
     // FNV-1a over the text of all values; f64 prints so that it reads back to the same bits.
     format!("{what:?}")
@@ -43,6 +43,7 @@ pub(super) fn save(simulation: &Simulation) -> Checkpoint {
     let mut checkpoint = Checkpoint::new(fingerprint(simulation.scene()));
     checkpoint.push::<u64>("counters", counters(&saved.state).to_vec());
     checkpoint.push::<f64>("numbers", numbers(&saved.state).to_vec());
+    restart::save(simulation.scene(), &mut checkpoint);
     let mesh = &simulation.scene().mesh;
     checkpoint.push::<f64>("mesh", [mesh.origin, mesh.cell].concat());
     let bodies = simulation.scene().bodies.iter();

@@ -205,13 +205,13 @@ impl Cycle {
         let (mesh, shape) = (&self.model.settings.mesh, &self.work.grid.shape);
         for (axis, side) in self.model.settings.absorbing_planes() {
             let nodes = self.state.absorbing.iter();
-            let on = nodes.filter(|one| {
-                one.impedance[axis] > 0.0 && shape.lies_in_plane(one.node, axis, side)
+            let on = nodes.filter(|one| shape.lies_in_plane(one.node, axis, side));
+            // A node that the ground hardly touches runs ahead: each counts by its dashpot.
+            let [all, sum] = on.fold([0.0; 2], |[all, sum], one| {
+                let weight = one.impedance[axis];
+                [all + weight, sum + weight * one.displacement[axis]]
             });
-            let (count, sum) = on.fold((0_usize, 0.0), |(count, sum), one| {
-                (count + 1, sum + one.displacement[axis])
-            });
-            let mean = sum / count.max(1) as f64;
+            let mean = if all > 0.0 { sum / all } else { 0.0 };
             if mean.abs() > MOST_TRAVEL * mesh.cell[axis] {
                 return Err(self.error(StepErrorKind::OffAbsorbingPlane {
                     plane: (axis, side),
