@@ -12,6 +12,7 @@
 //! ```
 
 mod boundaries;
+mod changeable;
 mod error;
 mod files;
 mod forecast;

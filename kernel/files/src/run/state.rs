@@ -1,6 +1,6 @@
 //! The whole state of a simulation in a checkpoint, bit by bit.
 
-use super::{RunError, restart};
+use super::{RunError, changeable};
 use crate::output::{Checkpoint, CheckpointError};
 use proctor_kernel::particles::ParticleSet;
 use proctor_kernel::stage::g2p::ParticleMaxima;
@@ -27,7 +27,7 @@ pub(super) fn fingerprint(scene: &Scene) -> u64 {
             file: PathBuf::new(),
             ..state.clone()
         }),
-        ..restart::without(scene)
+        ..changeable::without(scene)
     };
     // FNV-1a over the text of all values; f64 prints so that it reads back to the same bits.
     format!("{what:?}")
@@ -43,7 +43,7 @@ pub(super) fn save(simulation: &Simulation) -> Checkpoint {
     let mut checkpoint = Checkpoint::new(fingerprint(simulation.scene()));
     checkpoint.push::<u64>("counters", counters(&saved.state).to_vec());
     checkpoint.push::<f64>("numbers", numbers(&saved.state).to_vec());
-    restart::save(simulation.scene(), &mut checkpoint);
+    changeable::save(simulation.scene(), &mut checkpoint);
     let mesh = &simulation.scene().mesh;
     checkpoint.push::<f64>("mesh", [mesh.origin, mesh.cell].concat());
     let bodies = simulation.scene().bodies.iter();

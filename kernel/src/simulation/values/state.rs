@@ -5,10 +5,10 @@
 //! the grid, which is scratch between steps, nor laws, loads and surfaces. How it is written is not known here.
 
 use super::absorbing::AbsorbingNode;
-use super::free_ground::FreeGroundNode;
 use super::clock::Clock;
 use super::event::Event;
 use super::extremes::Extremes;
+use super::free_ground::FreeGroundNode;
 use super::invariants::InvariantMonitor;
 use super::spin::Spin;
 use crate::model::Vector;
