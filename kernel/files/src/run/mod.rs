@@ -32,7 +32,7 @@ use crate::output::summary::{
     OVERLAP, Status, SummaryDrift, SummaryEnergy, SummaryEvent, SummaryMesh, VOLUME_RATIO, Warning,
     YieldingBody,
 };
-use crate::output::{Checkpoint, OutputFolder, Summary};
+use crate::output::{OutputFolder, Summary};
 use files::Files;
 use proctor_scene::Scene;
 use proctor_scene::plan::Plan;
