@@ -239,6 +239,22 @@ impl Cycle {
         })
     }
 
+    /// The largest step in which columns are stable \[s\]: 2/w, with w² at most twice the stiffness of the links at a node over
+    /// its mass.
+    pub(in crate::simulation) fn free_ground_step(&self) -> f64 {
+        let all = &self.state.free_ground;
+        let of = |number: usize| {
+            let above = all.get(number + 1).map_or(0.0, |link| link.stiffness[1]);
+            let stiffness = all[number].stiffness[1] + above;
+            if stiffness > 0.0 {
+                (2.0 * all[number].mass / stiffness).sqrt()
+            } else {
+                f64::INFINITY
+            }
+        };
+        (0..all.len()).map(of).fold(f64::INFINITY, f64::min)
+    }
+
     /// Moves the free ground by a step.
     pub(in crate::simulation) fn move_free_ground(
         &mut self,

@@ -192,8 +192,9 @@ fn a_rigid_base_shakes_free_ground_too() {
         let norm = |all: &mut dyn Iterator<Item = f64>| all.map(|v| v * v).sum::<f64>().sqrt();
         let off = norm(&mut free.iter().zip(&exact).map(|(a, b)| a - b));
         let whole = norm(&mut exact.iter().copied());
-        // Waves of the column have another dispersion: (kh)²/24 of their speed for 40 cells per wave is 1e-3, over six periods.
-        assert!(off < 0.05 * whole, "{damping:?}: {}", off / whole);
+        // Waves of the column are not mapped: they lack 3/32 (kh)² of the dispersion of particles, 2.3e-3 of their speed with 40
+        // cells per wave. That is 0.087 of a radian in six periods, and more for the shorter waves of the pulse.
+        assert!(off < 0.13 * whole, "{damping:?}: {}", off / whole);
     }
 }
 
