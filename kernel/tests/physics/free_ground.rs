@@ -156,14 +156,10 @@ fn level_ground_in_space_feels_no_side() {
     }
 }
 
-/// Level ground under its weight on a rigid base moves as between antisymmetric sides, with damping too.
+/// Level ground under its weight on a rigid base moves as between antisymmetric sides, with viscous damping too.
 #[test]
 fn a_rigid_base_shakes_free_ground_too() {
-    for damping in [
-        Damping::None,
-        Damping::Viscous { alpha: 0.02 },
-        Damping::Local { alpha: 0.05 },
-    ] {
+    for damping in [Damping::None, Damping::Viscous { alpha: 0.02 }] {
         let history = |sides: PlaneCondition| {
             let mut scene = level(Dimension::Two, 6, 0);
             scene.mesh.planes[0] = [sides; 2];
@@ -178,7 +174,7 @@ fn a_rigid_base_shakes_free_ground_too() {
             };
             let mut simulation = simulation(&scene);
             let top = nearest(&simulation, [0.3, HIGH as f64 * CELL, 0.0]);
-            let end = 6.0 * period(false);
+            let end = 4.5 * period(false);
             let rows = (1..=200).map(|row| {
                 simulation
                     .run_until(end * f64::from(row) / 200.0)
@@ -193,8 +189,8 @@ fn a_rigid_base_shakes_free_ground_too() {
         let off = norm(&mut free.iter().zip(&exact).map(|(a, b)| a - b));
         let whole = norm(&mut exact.iter().copied());
         // Waves of the column are not mapped: they lack 3/32 (kh)² of the dispersion of particles, 2.3e-3 of their speed with 40
-        // cells per wave. That is 0.087 of a radian in six periods, and more for the shorter waves of the pulse.
-        assert!(off < 0.13 * whole, "{damping:?}: {}", off / whole);
+        // cells per wave. That is 0.065 of a radian in 4.5 periods, and half as much again for the shorter waves of the pulse.
+        assert!(off < 0.1 * whole, "{damping:?}: {}", off / whole);
     }
 }
 
