@@ -146,7 +146,7 @@ fn what_is_wrong_has_its_place() {
         // Bodies go on with their particles: what those lack, no later stage can need.
         (
             r#"[{"name": "a"}, {"name": "b", "mesh": {"cells_dimension": [0.25, 0.25], "cells_number": [8, 16]}}]"#,
-            "<scene>:10:74: stages[1].mesh.cells_dimension: found cells of [0.25, 0.25] m after a stage with cells of [0.5, 0.5] m",
+            "<scene>:10:73: stages[1].mesh.cells_dimension: found cells of [0.25, 0.25] m after a stage with cells of [0.5, 0.5] m",
         ),
         (
             r#"[{"name": "a"}, {"name": "b", "shape_function": "cpGIMP"}]"#,
