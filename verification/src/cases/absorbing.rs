@@ -268,7 +268,7 @@ fn start(rung: &Rung, _: Reference, options: Options) -> Options {
         // The factor of cos(across x) in phi with two derivatives along y, and its rate with one.
         let (mut g, mut rate) = ([0.0; 3], [0.0; 2]);
         for [k, size] in &waves {
-            let w = c * across.hypot(*k);
+            let w = c * libm::hypot(across, *k);
             let (sin, cos) = (libm::sin(k * (y - middle)), libm::cos(k * (y - middle)));
             g[0] += size * cos;
             g[1] -= size * k * sin;
