@@ -149,7 +149,7 @@ fn rungs(size: Size) -> Vec<Rung> {
 }
 
 /// A guided pulse.
-struct Guided {
+struct GuidedPulse {
     /// Wave number across, between the sides, and along them in the middle of the pulse \[1/m\].
     across: f64,
     along: f64,
@@ -160,14 +160,14 @@ struct Guided {
 }
 
 /// The guided pulse of a rung, if it is one of those.
-fn guided(rung: &Rung) -> Option<Guided> {
+fn guided(rung: &Rung) -> Option<GuidedPulse> {
     rung.problem::<Option<usize>>().map(|number| {
         let (_, angle, end, _) = GUIDED[number];
         // Half a wave across lies between the sides.
         let across = PI / WIDTH;
         let k = across / libm::sin(angle.to_radians());
         let wavelength = TAU / k;
-        Guided {
+        GuidedPulse {
             across,
             along: k * libm::cos(angle.to_radians()),
             wavelength,

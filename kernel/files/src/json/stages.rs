@@ -211,7 +211,7 @@ fn stage(
     })
 }
 
-/// What keeps the bodies of a stage from going on as the stage before left them, by the key among those that it changes; an empty
+/// The problem that keeps the bodies of a stage from going on as the stage before left them, by the key among those that it changes; an empty
 /// path where none of them is to blame alone.
 fn contradiction(changed: &[String], before: &Scene, scene: &Scene) -> Option<Problem> {
     let key = |keys: &[&str]| {

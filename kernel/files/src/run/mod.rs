@@ -122,7 +122,7 @@ impl Run {
         &self.simulation
     }
 
-    /// What a restart changes, in words: gravity and local damping.
+    /// Changes of a restart in words: gravity and local damping.
     #[must_use]
     pub fn changes(&self) -> &[String] {
         &self.changes
