@@ -211,8 +211,8 @@ fn stage(
     })
 }
 
-/// The problem that keeps the bodies of a stage from going on as the stage before left them, by the key among those that it changes; an empty
-/// path where none of them is to blame alone.
+/// The problem that keeps the bodies of a stage from going on as the stage before left them, by the key among those that it
+/// changes; an empty path where none of them is to blame alone.
 fn contradiction(changed: &[String], before: &Scene, scene: &Scene) -> Option<Problem> {
     let key = |keys: &[&str]| {
         let begins = |path: &&String| keys.iter().any(|key| reaches(key, path));
