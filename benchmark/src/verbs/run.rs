@@ -134,6 +134,9 @@ impl Run {
                 self.scene.display()
             );
         }
+        for change in run.changes() {
+            say!("changed from here on: {change}");
+        }
         // Bodies were filled anew before their state came from the checkpoint: their balance then is none of the run.
         let anew = restart.is_some() && scene.initial_state.is_some();
         let foreseen = anew || seeks_balance(scene);

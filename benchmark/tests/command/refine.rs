@@ -239,6 +239,17 @@ fn what_cannot_be_refined_is_refused_with_what_fits() {
         text.contains("crack_band") || text.contains("accepted"),
         "{text}"
     );
+    let mut listed = scene;
+    listed["body"]["column"] = json!({
+        "type": "particles", "id": 1, "material_id": 1,
+        "particles": [[0.25, 0.25, 0.25], [0.75, 0.25, 0.25]]
+    });
+    let text = told(&listed, &["--finer", "1"]);
+    assert!(
+        text.contains("body.column: found a body from a list of particles")
+            && text.contains("accepted: bodies with a shape"),
+        "{text}"
+    );
 }
 
 #[test]

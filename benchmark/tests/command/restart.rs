@@ -46,3 +46,53 @@ fn a_run_cut_in_half_and_restarted_ends_the_same() {
         }
     }
 }
+
+/// Gravity and local damping may change; the run tells both, goes on from its state, and its balance of energy holds.
+#[test]
+fn a_restart_changes_what_a_stage_changes_and_says_what() {
+    let desk = Desk::new();
+    let mut scene = column(&methods()[0]);
+    scene["time"] = serde_json::json!(0.2);
+    let first = desk.scene("first.json", &scene);
+    assert_eq!(code(&desk.run(&first, "run", &[])), 0);
+    let work = desk.summary("run")["energy"]["external_work"].clone();
+    let checkpoint = desk.path("run").join("checkpoint.bin");
+    let checkpoint = checkpoint.display().to_string();
+    scene["time"] = serde_json::json!(0.4);
+    let axes = scene["gravity"].as_array().map_or(2, Vec::len);
+    scene["gravity"] = serde_json::json!(vec![0.0; axes]);
+    scene["damping"] = serde_json::json!({"type": "local", "value": 0.3});
+    let second = desk.scene("second.json", &scene);
+    let output = desk.run(&second, "run", &["--restart", &checkpoint]);
+    let told = stderr(&output);
+    assert_eq!(code(&output), 0, "{told}");
+    assert!(
+        told.contains("changed from here on: gravity [0.0, 0.0"),
+        "{told}"
+    );
+    assert!(
+        told.contains("changed from here on: local damping 0.3, 0 until then"),
+        "{told}"
+    );
+    // Without gravity no more work is done: what was done stays in the books.
+    let energy = &desk.summary("run")["energy"];
+    assert_eq!(energy["external_work"], work, "{energy}");
+    assert!(
+        energy["damping"].as_f64().expect("a number") > 0.0,
+        "{energy}"
+    );
+    // Nothing is told where nothing changes.
+    let again = desk.run(&second, "run", &["--restart", &checkpoint]);
+    assert_eq!(code(&again), 0);
+    assert!(
+        !stderr(&again).contains("changed from here on"),
+        "{}",
+        stderr(&again)
+    );
+    // Other changes are named as before.
+    scene["time_step"] = serde_json::json!(1e-5);
+    let third = desk.scene("third.json", &scene);
+    let output = desk.run(&third, "run", &["--restart", &checkpoint]);
+    assert_eq!(code(&output), 2);
+    assert!(stderr(&output).contains("begins from a checkpoint by `initial_state`"));
+}

@@ -162,6 +162,25 @@ fn what_cannot_be_refined_or_go_on_is_named() {
     );
 }
 
+/// Refused with its place by `plan` and by `run`, before the first stage has written anything.
+#[test]
+fn stages_that_contradict_each_other_write_nothing() {
+    let desk = Desk::new();
+    let mut scene = staged();
+    scene["shape_function"] = json!("GIMP");
+    scene["stages"][1]["shape_function"] = json!("cpGIMP");
+    let path = desk.scene("stages.json", &scene);
+    for output in [proctor(&["plan", &path]), desk.run(&path, "out", &[])] {
+        assert_eq!(code(&output), 2, "{}", stdout(&output));
+        let text = stderr(&output);
+        assert!(
+            text.contains("stages.json:") && text.contains("stages[1].shape_function: found"),
+            "{text}"
+        );
+    }
+    assert!(!desk.path("out").exists(), "nothing is written");
+}
+
 /// A stage that was cut goes on from the checkpoint in its folder, and the stages before it stay as they are.
 #[test]
 fn a_stage_goes_on_from_its_checkpoint() {
@@ -209,7 +228,7 @@ fn a_stage_goes_on_from_its_checkpoint() {
         "{text}"
     );
     let mut other = staged();
-    other["stages"][1]["gravity"] = json!([0, -12]);
+    other["stages"][1]["pic_fraction"] = json!(0.1);
     let other = desk.scene("stages.json", &other);
     let output = desk.run(&other, "cut", &["--restart", &checkpoint]);
     assert_eq!(code(&output), 2);

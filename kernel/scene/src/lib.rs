@@ -60,7 +60,8 @@ pub mod simulation {
     pub use crate::result_warnings::ResultWarning;
     pub use crate::running::Simulation;
     pub use crate::setup::{
-        InitialField, InitialState, MemoryEstimate, Options, StartBody, StartState, estimate_memory,
+        InitialField, InitialState, MemoryEstimate, Options, StartBody, StartState,
+        estimate_memory, missing_column,
     };
     pub use crate::start_error::StartError;
     pub use proctor_contact::{

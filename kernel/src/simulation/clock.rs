@@ -127,7 +127,16 @@ impl Cycle {
 
     /// All bounds of a step.
     fn limits(&self) -> Limits {
-        let limits = self.free_limits();
+        let mut limits = self.free_limits();
+        let beside = self.free_ground_step();
+        if beside < limits.undamped {
+            limits = Limits {
+                undamped: beside,
+                bound: Bound::Stability,
+                damped: (limits.damped).min(locally_damped_step(beside, self.local_damping())),
+                ..limits
+            };
+        }
         let steps = self.interactions().map(Interaction::time_step);
         let contact = steps.fold(f64::INFINITY, f64::min);
         if contact < limits.undamped {

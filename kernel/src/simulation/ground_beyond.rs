@@ -41,6 +41,7 @@ impl Cycle {
         self.model.conditions = conditions;
         kept.put_back(self);
         self.state.absorbing = nodes;
+        self.start_free_ground();
     }
 
     /// Force of stress and weight at these nodes \[N\].
@@ -71,36 +72,17 @@ impl Cycle {
     /// The nodes of absorbing planes in their order, with impedances and stiffnesses.
     fn absorbing_nodes(&self) -> Vec<AbsorbingNode> {
         let settings = &self.model.settings;
-        let shape = &self.work.grid.shape;
         let mut all: Vec<AbsorbingNode> = vec![];
         for (axis, side) in settings.absorbing_planes() {
             let ground = self.ground_at(axis, side);
-            let fullest = ground
-                .iter()
-                .fold(0.0_f64, |most, one| most.max(one.volume / one.area));
-            for one in ground.iter().filter(|one| one.mass > 0.0) {
-                // Ground covers a part of the cells around its edge.
-                let covered = (one.volume / one.area / fullest).min(1.0) * one.area;
-                let mut node = AbsorbingNode {
+            for (one, covered) in Ground::covered(&ground) {
+                let (impedance, stiffness) = self.dashpot(one, covered, axis);
+                let node = AbsorbingNode {
                     node: one.node,
+                    impedance,
+                    stiffness,
                     ..AbsorbingNode::default()
                 };
-                for along in (0..shape.axes).filter(|along| !self.is_held(one.node, *along)) {
-                    let impedances = if along == axis {
-                        one.impedance[0]
-                    } else {
-                        one.impedance[1]
-                    };
-                    node.impedance[along] = covered * impedances / one.mass;
-                    if let Some(thickness) = settings.ground_beyond.thickness {
-                        let moduli = if along == axis {
-                            one.modulus[0]
-                        } else {
-                            one.modulus[1]
-                        };
-                        node.stiffness[along] = covered * moduli / one.mass / thickness;
-                    }
-                }
                 all.push(node);
             }
         }
@@ -127,8 +109,23 @@ impl Cycle {
         all
     }
 
+    /// Impedances of the dashpots and stiffnesses of the springs at a node of a plane that stands for that area \[m²\].
+    pub(super) fn dashpot(&self, one: &Ground, covered: f64, axis: usize) -> (Vector, Vector) {
+        let thickness = self.model.settings.ground_beyond.thickness;
+        let (mut impedance, mut stiffness) = ([0.0; 3], [0.0; 3]);
+        let axes = 0..self.work.grid.shape.axes;
+        for along in axes.filter(|along| !self.is_held(one.node, *along)) {
+            let kind = usize::from(along != axis);
+            impedance[along] = covered * one.impedance[kind] / one.mass;
+            if let Some(thickness) = thickness {
+                stiffness[along] = covered * one.modulus[kind] / one.mass / thickness;
+            }
+        }
+        (impedance, stiffness)
+    }
+
     /// The ground at the nodes of an absorbing plane, in the order of the nodes.
-    fn ground_at(&self, axis: usize, side: usize) -> Vec<Ground> {
+    pub(super) fn ground_at(&self, axis: usize, side: usize) -> Vec<Ground> {
         let settings = &self.model.settings;
         let (shape, mesh) = (&self.work.grid.shape, &settings.mesh);
         let mut ground = plane_nodes(settings, shape, axis, side);
@@ -154,6 +151,7 @@ impl Cycle {
                     };
                     let one = &mut ground[at];
                     one.mass += weight * mass;
+                    one.damping_rate += weight * mass * body.viscous_rate;
                     one.volume += weight * volume;
                     for (i, c) in speeds.into_iter().enumerate() {
                         one.impedance[i] += weight * mass * body.density * c;
@@ -187,16 +185,30 @@ impl Cycle {
 }
 
 /// The ground at a node: sums over the particles that reach it.
-struct Ground {
-    node: usize,
+pub(super) struct Ground {
+    pub(super) node: usize,
     /// Area of the plane that the node stands for \[m²\].
-    area: f64,
-    mass: f64,
-    volume: f64,
+    pub(super) area: f64,
+    pub(super) mass: f64,
+    pub(super) volume: f64,
     /// Mass times density times the speed of compression and of shear.
-    impedance: [f64; 2],
+    pub(super) impedance: [f64; 2],
     /// Mass times density times the square of those speeds.
     modulus: [f64; 2],
+    /// Mass times the rate of viscous damping.
+    pub(super) damping_rate: f64,
+}
+
+impl Ground {
+    /// Nodes that particles reach, with the area that is covered there \[m²\]: ground covers a part of the cells around its edge.
+    pub(super) fn covered(all: &[Self]) -> impl Iterator<Item = (&Self, f64)> {
+        let fullest = (all.iter()).fold(0.0_f64, |most, one| most.max(one.volume / one.area));
+        let with_mass = all.iter().filter(|one| one.mass > 0.0);
+        with_mass.map(move |one| {
+            let covered = (one.volume / one.area / fullest).min(1.0) * one.area;
+            (one, covered)
+        })
+    }
 }
 
 /// The nodes of a plane of the mesh with their areas, increasing. Around an axis they are those of rings, as the particles have
@@ -244,6 +256,7 @@ fn plane_nodes(
                     volume: 0.0,
                     impedance: [0.0; 2],
                     modulus: [0.0; 2],
+                    damping_rate: 0.0,
                 });
             }
         }

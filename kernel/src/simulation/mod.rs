@@ -8,6 +8,7 @@ mod energy;
 mod extremes;
 mod faults;
 pub(crate) mod fields;
+mod free_ground;
 mod ground_beyond;
 mod history;
 mod initial_imbalance;
@@ -56,10 +57,10 @@ pub use start::Start;
 pub use step_view::{StepUpdate, StepView};
 pub use values::{
     AbsorbingNode, BodyEnergy, BodyHandle, BodyRun, Bound, Clock, Drift, Energy, EnergyLedger,
-    Event, EventKind, Extremes, Groups, InitialOverlap, InteractionError, InteractionFault,
-    Invariant, InvariantMonitor, MESH, MOST_STRETCH_RATIO, MassCenter, NodalForce, ParticleAt,
-    RestoreError, SavedArrays, SavedState, SetupError, Spin, State, StepError, StepErrorKind,
-    StepInfo, Tension, TimeStepAboveCritical, Violation,
+    Event, EventKind, Extremes, FreeGroundNode, Groups, InitialOverlap, InteractionError,
+    InteractionFault, Invariant, InvariantMonitor, MESH, MOST_STRETCH_RATIO, MassCenter,
+    NodalForce, ParticleAt, RestoreError, SavedArrays, SavedState, SetupError, Spin, State,
+    StepError, StepErrorKind, StepInfo, Tension, TimeStepAboveCritical, Violation,
 };
 
 pub use model::Model;

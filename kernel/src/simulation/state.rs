@@ -54,6 +54,8 @@ impl Cycle {
         }
         let nodes = "nodes of absorbing planes";
         same(nodes, own.absorbing.len(), was.absorbing.len())?;
+        let nodes = "nodes of free ground";
+        same(nodes, own.free_ground.len(), was.free_ground.len())?;
         let count = self.interactions().count();
         same("interactions", count, saved.interactions.len())?;
         for (interaction, was) in self.interactions().zip(&saved.interactions) {

@@ -88,7 +88,7 @@ impl Cycle {
         };
         let drift = self.drift(&mut info);
         self.move_boundaries(&conditions, &drift);
-        self.move_absorbing(&drift)?;
+        self.move_absorbing(&conditions, &drift)?;
         match self.model.plan.scheme {
             StressScheme::Usl => {
                 self.gather_water(true, Some((drift.time, 1)))?;

@@ -19,6 +19,7 @@ mod driven;
 mod driven_shapes;
 mod faults;
 mod fluids;
+mod free_ground;
 mod hencky;
 mod initial_stress;
 mod left_behind;

@@ -58,18 +58,22 @@ impl Dashpots {
         compression * compression + shear * shear * s * cos_s / libm::cos(theta)
     }
 
-    /// The same of a beam whose amplitude falls as `exp(-y²/2b²)` across it: the mean over its plane waves, whose energy falls as
-    /// `exp(-(k b tan delta)²)` with the angle delta to its axis; `width` is k b, with the wave number k.
+    /// The same of a pulse between two sliding sides, a mode of theirs: the mean over its plane waves. All have the wave number
+    /// `across` between the sides; along them they lie about `along` as `exp(-(q a)²/2)`, in their potential, with the
+    /// distance q from it and the half-length a of the pulse.
     #[must_use]
-    pub fn reflected_beam(&self, theta: f64, width: f64) -> f64 {
-        const PARTS: i32 = 200;
-        let widest = libm::atan(4.0 / width);
+    pub fn reflected_pulse(&self, across: f64, along: f64, half_length: f64) -> f64 {
+        const PARTS: i32 = 400;
+        // A wave has the energy of the square of its potential and of the fourth power of its wave number.
         let (mut sum, mut weights) = (0.0, 0.0);
         for part in -PARTS..=PARTS {
-            let delta = widest * f64::from(part) / f64::from(PARTS);
-            let weight = libm::exp(-(width * libm::tan(delta)).powi(2));
-            sum += weight * self.reflected(theta + delta);
-            weights += weight;
+            let s = 5.0 * f64::from(part) / f64::from(PARTS);
+            let k = along + s / half_length;
+            if k > 0.0 {
+                let weight = libm::exp(-s * s) * (across * across + k * k).powi(2);
+                sum += weight * self.reflected(libm::atan(across / k));
+                weights += weight;
+            }
         }
         sum / weights
     }

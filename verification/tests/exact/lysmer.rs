@@ -59,9 +59,10 @@ fn shares_are_those_of_the_equations() {
 }
 
 #[test]
-fn a_wide_beam_is_a_plane_wave_and_a_narrow_one_is_a_mean_over_angles() {
+fn a_long_pulse_is_a_plane_wave_and_a_short_one_is_a_mean_over_angles() {
     let plane = LYSMER.reflected(1.0);
-    assert!((LYSMER.reflected_beam(1.0, 1e4) / plane - 1.0).abs() < 1e-6);
+    let (across, along) = (10.0 * 1.0_f64.sin(), 10.0 * 1.0_f64.cos());
+    assert!((LYSMER.reflected_pulse(across, along, 1e4) / plane - 1.0).abs() < 1e-6);
     // The share grows ever faster with the angle, so that the mean is above it.
-    assert!(LYSMER.reflected_beam(1.0, 10.0) > 1.05 * plane);
+    assert!(LYSMER.reflected_pulse(across, along, 1.0) > 1.05 * plane);
 }

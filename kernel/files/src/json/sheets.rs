@@ -113,7 +113,11 @@ impl Build<'_> {
             SheetFault::Fold(at) => ("more than one height", at),
         };
         let reach = sheet.extent().map_or_else(String::new, |extent| {
-            format!(", it reaches over {}", self.plan_words(&extent))
+            if extent.iter().flatten().all(|x| x.is_finite()) {
+                format!(", it reaches over {}", self.plan_words(&extent))
+            } else {
+                ", none of its cells has four heights".to_owned()
+            }
         });
         let place = self.plan_place(at);
         let whole = self.plan_words(range);

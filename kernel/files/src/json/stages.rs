@@ -10,6 +10,7 @@ use serde_json::{Map, Value};
 use super::build::reaches;
 use super::source::{SceneSource, SourceMap};
 use super::{place, placed, position};
+use proctor_scene::simulation::missing_column;
 use proctor_scene::{InitialStress, Problem, Scene, SceneError, StateFile};
 
 /// Key of the list.
@@ -128,6 +129,20 @@ fn stage(
         Some(other) => return Err(refused(NAME, &other.to_string(), accepted)),
         None => return Err(refused(NAME, "nothing: the key is missing", accepted)),
     };
+    if before.is_some() && own.contains_key("initial_state") {
+        return Err(refused(
+            "initial_state",
+            "the state of another run, in a stage that begins from the one before it",
+            "it in the first stage, or beside the list",
+        ));
+    }
+    if before.is_none() && own.get(VELOCITY).and_then(Value::as_str) == Some("kept") {
+        return Err(refused(
+            VELOCITY,
+            "\"kept\" in the first stage, before which there is none",
+            "it in a later stage; `initial_state` has a `velocity` of its own",
+        ));
+    }
     let velocity = own.remove(VELOCITY);
     let keeps_velocity = match velocity.as_ref().map(Value::as_str) {
         None | Some(Some("zero")) => false,
@@ -146,6 +161,8 @@ fn stage(
         leave_out_starts(&mut merged, before);
     }
     let own = Value::Object(own);
+    let mut changed = vec![];
+    leaves(&own, "", &mut changed);
     let stem = source.name().to_owned();
     let (mut scene, mut spellings) =
         placed(&merged.to_string(), &stem, source.folder()).map_err(|error| {
@@ -162,6 +179,14 @@ fn stage(
             source.error(problems.collect())
         })?;
     if let Some(before) = before {
+        if let Some(mut problem) = contradiction(&changed, &before.scene, &scene) {
+            problem.path = if problem.path.is_empty() {
+                format!("{STAGES}[{number}]")
+            } else {
+                at(&problem.path)
+            };
+            return Err(source.error(vec![problem]));
+        }
         scene.initial_state = Some(StateFile {
             file: PathBuf::from(&before.name),
             keeps_velocity,
@@ -174,8 +199,6 @@ fn stage(
         }
     }
     scene.name = format!("{}, {name}", scene.name.trim_matches(['<', '>']));
-    let mut changed = vec![];
-    leaves(&own, "", &mut changed);
     spellings.extend(changed.into_iter().map(|path| {
         let written = at(&path);
         (path, written)
@@ -186,6 +209,58 @@ fn stage(
         scene,
         places,
     })
+}
+
+/// The problem that keeps the bodies of a stage from going on as the stage before left them, by the key among those that it
+/// changes; an empty path where none of them is to blame alone.
+fn contradiction(changed: &[String], before: &Scene, scene: &Scene) -> Option<Problem> {
+    let key = |keys: &[&str]| {
+        let begins = |path: &&String| keys.iter().any(|key| reaches(key, path));
+        changed.iter().find(begins).cloned().unwrap_or_default()
+    };
+    let axes = scene.dimension.axes();
+    let (cell, was) = (&scene.mesh.cell[..axes], &before.mesh.cell[..axes]);
+    if scene.dimension != before.dimension || cell != was {
+        return Some(Problem::new(
+            key(&["mesh", "dimension"]),
+            format!("cells of {cell:?} m after a stage with cells of {was:?} m"),
+            "cells of one size in all stages",
+        ));
+    }
+    if let Some(path) = changed.iter().find(|path| path.contains("initial_stress")) {
+        let old = before.bodies.iter().any(|old| {
+            let mut bodies = scene.bodies.iter();
+            bodies.any(|body| body.id == old.id && path.contains(&body.name))
+        });
+        if old {
+            return Some(Problem::new(
+                path.clone(),
+                "the stress of the start, of a body that has that of the stage before",
+                "it in the first stage of the body",
+            ));
+        }
+    }
+    let (index, name) = missing_column(before, scene)?;
+    let path = if name.contains("half-length") {
+        key(&["shape_function", "domain_update"])
+    } else {
+        key(&[
+            "material",
+            "materials",
+            "body",
+            "bodies",
+            "shape_function",
+            "results",
+        ])
+    };
+    Some(Problem::new(
+        path,
+        format!(
+            "the body {:?} needs \"{name}\" of its particles, which it lacks in the stage before",
+            scene.bodies[index].name
+        ),
+        "the same law and the same `shape_function` in both stages",
+    ))
 }
 
 /// Takes the stress with which bodies of the stage before began out of a scene: it is in the state by now, and need not go with what

@@ -12,12 +12,14 @@
 //! ```
 
 mod boundaries;
+mod changeable;
 mod error;
 mod files;
 mod forecast;
 mod grid;
 mod history;
 mod probes;
+mod restart;
 mod schedule;
 mod start_state;
 mod state;
@@ -30,7 +32,7 @@ use crate::output::summary::{
     OVERLAP, Status, SummaryDrift, SummaryEnergy, SummaryEvent, SummaryMesh, VOLUME_RATIO, Warning,
     YieldingBody,
 };
-use crate::output::{Checkpoint, OutputFolder, Summary};
+use crate::output::{OutputFolder, Summary};
 use files::Files;
 use proctor_scene::Scene;
 use proctor_scene::plan::Plan;
@@ -57,6 +59,8 @@ const STEPS_PER_LOOK: u64 = 50;
 /// A simulation with its files.
 pub struct Run {
     simulation: Simulation,
+    /// Changes of a restart, in words.
+    changes: Vec<String>,
     files: Option<Files>,
     interrupted: bool,
     /// Forces came into balance, where the run ends by that.
@@ -82,24 +86,17 @@ impl Run {
             None if options.start.is_none() => start_state::read(scene)?,
             _ => None,
         };
-        let mut simulation = match start {
-            None => Simulation::new(scene, options)?,
-            Some(start) => {
-                let start = Some(Arc::new(start));
-                Simulation::new(
-                    scene,
-                    &Options {
-                        start,
-                        ..options.clone()
-                    },
-                )?
+        let (mut simulation, changes) = match (restart, start) {
+            (Some(path), _) => restart::restarted(scene, options, path)?,
+            (None, None) => (Simulation::new(scene, options)?, vec![]),
+            (None, Some(start)) => {
+                let options = Options {
+                    start: Some(Arc::new(start)),
+                    ..options.clone()
+                };
+                (Simulation::new(scene, &options)?, vec![])
             }
         };
-        if let Some(path) = restart {
-            let checkpoint = Checkpoint::read(path)?;
-            checkpoint.check_fingerprint(state::fingerprint(scene))?;
-            state::restore(&mut simulation, &checkpoint)?;
-        }
         let files = match folder {
             None => None,
             Some(folder) => {
@@ -111,6 +108,7 @@ impl Run {
         };
         Ok(Self {
             simulation,
+            changes,
             files,
             interrupted: false,
             balanced: false,
@@ -122,6 +120,12 @@ impl Run {
     #[must_use]
     pub fn simulation(&self) -> &Simulation {
         &self.simulation
+    }
+
+    /// Changes of a restart in words: gravity and local damping.
+    #[must_use]
+    pub fn changes(&self) -> &[String] {
+        &self.changes
     }
 
     /// The next output time \[s\], or `None` at the end.

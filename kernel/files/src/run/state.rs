@@ -1,18 +1,19 @@
 //! The whole state of a simulation in a checkpoint, bit by bit.
 
-use super::RunError;
+use super::{RunError, changeable};
 use crate::output::{Checkpoint, CheckpointError};
 use proctor_kernel::particles::ParticleSet;
 use proctor_kernel::stage::g2p::ParticleMaxima;
 use proctor_scene::simulation::{
-    AbsorbingNode, Clock, EnergyLedger, Event, EventKind, Extremes, Groups, Invariant,
-    InvariantMonitor, ParticleAt, RestoreError, SavedState, Simulation, State, Violation,
+    AbsorbingNode, Clock, EnergyLedger, Event, EventKind, Extremes, FreeGroundNode, Groups,
+    Invariant, InvariantMonitor, ParticleAt, RestoreError, SavedState, Simulation, State,
+    Violation,
 };
 use proctor_scene::{Results, Scene, StateFile};
 use std::path::PathBuf;
 
-/// Fingerprint of what a scene simulates: not its name, its end, its outputs or its threads, which a restart may
-/// change.
+/// Fingerprint of what a scene simulates: not its name, its end, its gravity, its local damping, its outputs or its threads,
+/// which a restart may change.
 pub(super) fn fingerprint(scene: &Scene) -> u64 {
     let what = Scene {
         name: String::new(),
@@ -26,7 +27,7 @@ pub(super) fn fingerprint(scene: &Scene) -> u64 {
             file: PathBuf::new(),
             ..state.clone()
         }),
-        ..scene.clone()
+        ..changeable::without(scene)
     };
     // FNV-1a over the text of all values; f64 prints so that it reads back to the same bits.
     format!("{what:?}")
@@ -42,6 +43,7 @@ pub(super) fn save(simulation: &Simulation) -> Checkpoint {
     let mut checkpoint = Checkpoint::new(fingerprint(simulation.scene()));
     checkpoint.push::<u64>("counters", counters(&saved.state).to_vec());
     checkpoint.push::<f64>("numbers", numbers(&saved.state).to_vec());
+    changeable::save(simulation.scene(), &mut checkpoint);
     let mesh = &simulation.scene().mesh;
     checkpoint.push::<f64>("mesh", [mesh.origin, mesh.cell].concat());
     let bodies = simulation.scene().bodies.iter();
@@ -81,6 +83,7 @@ pub(super) fn save(simulation: &Simulation) -> Checkpoint {
     save_events(&state.events, &mut checkpoint);
     save_trust(&state.invariants, &mut checkpoint);
     save_absorbing(&state.absorbing, state.ledger.absorbed, &mut checkpoint);
+    save_free_ground(&state.free_ground, &mut checkpoint);
     if wet {
         checkpoint.push::<f64>(DRAG, vec![state.ledger.drag]);
     }
@@ -221,6 +224,7 @@ fn read(checkpoint: &Checkpoint, like: SavedState) -> Result<SavedState, Checkpo
     }
     state.events = read_events(checkpoint)?;
     state.ledger.absorbed = read_absorbing(checkpoint, &mut state.absorbing)?;
+    read_free_ground(checkpoint, &mut state.free_ground)?;
     if is_wet(&state.sets) {
         state.ledger.drag = checkpoint.array::<f64>(DRAG, 1)?[0];
     }
@@ -338,6 +342,32 @@ fn read_absorbing(
         *one = AbsorbingNode::from_numbers(node as usize, numbers);
     }
     Ok(checkpoint.array::<f64>("absorbing/energy", 1)?[0])
+}
+
+/// Section of the motion of free ground beside absorbing sides.
+const FREE_GROUND: &str = "absorbing/free-ground";
+
+fn save_free_ground(nodes: &[FreeGroundNode], checkpoint: &mut Checkpoint) {
+    if !nodes.is_empty() {
+        let numbers = nodes.iter().flat_map(FreeGroundNode::motion);
+        checkpoint.push::<f64>(FREE_GROUND, numbers.collect());
+    }
+}
+
+fn read_free_ground(
+    checkpoint: &Checkpoint,
+    nodes: &mut [FreeGroundNode],
+) -> Result<(), CheckpointError> {
+    if nodes.is_empty() {
+        return Ok(());
+    }
+    let all = FreeGroundNode::NUMBERS * nodes.len();
+    let numbers = checkpoint.array::<f64>(FREE_GROUND, all)?;
+    let (numbers, _) = numbers.as_chunks();
+    for (node, numbers) in nodes.iter_mut().zip(numbers) {
+        node.set_motion(*numbers);
+    }
+    Ok(())
 }
 
 fn save_events(events: &[Event], checkpoint: &mut Checkpoint) {

@@ -135,6 +135,28 @@ fn what_is_wrong_has_its_place() {
             r#"[{"name": "a", "stages": []}]"#,
             "stages[0].stages: found stages in a stage",
         ),
+        (
+            r#"[{"name": "a", "velocity": "kept"}]"#,
+            "<scene>:10:42: stages[0].velocity: found \"kept\" in the first stage",
+        ),
+        (
+            r#"[{"name": "a"}, {"name": "b", "initial_state": {"file": "c.bin"}}]"#,
+            "<scene>:10:62: stages[1].initial_state: found the state of another run",
+        ),
+        // Bodies go on with their particles: what those lack, no later stage can need.
+        (
+            r#"[{"name": "a"}, {"name": "b", "mesh": {"cells_dimension": [0.25, 0.25], "cells_number": [8, 16]}}]"#,
+            "<scene>:10:73: stages[1].mesh.cells_dimension: found cells of [0.25, 0.25] m after a stage with cells of [0.5, 0.5] m",
+        ),
+        (
+            r#"[{"name": "a"}, {"name": "b", "shape_function": "cpGIMP"}]"#,
+            "<scene>:10:63: stages[1].shape_function: found the body",
+        ),
+        (
+            r#"[{"name": "a"}, {"name": "b", "material":
+                [{"id": 0, "type": "neo_hookean", "young": 1e7, "poisson": 0.3, "density": 2000}]}]"#,
+            "needs \"deformation gradient 1\" of its particles",
+        ),
     ] {
         let error = read(stages).expect_err("refused");
         assert!(error.contains(expected), "{stages}: {error}");

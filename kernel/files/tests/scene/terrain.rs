@@ -182,6 +182,13 @@ fn each_fault_is_told_with_its_place() {
         text.contains("top.asc: no height at x = 6") || text.contains("no height at x = 5"),
         "{text}"
     );
+    let ring = "0 0 1\n5 0 1\n10 0 1\n0 5 1\n10 5 1\n0 10 1\n5 10 1\n10 10 1\n";
+    let around = r#""type": "between", "lower": 0, "upper": "ring.csv""#;
+    let text = refused(3, around, &[("ring.csv", ring)]);
+    assert!(
+        text.contains("none of its cells has four heights"),
+        "{text}"
+    );
     let small = raster(4, 2.0, |_, _| 3.0);
     let text = refused(3, body, &[("top.asc", &small)]);
     assert!(

@@ -25,24 +25,17 @@ pub struct PlanOptions {
     pub body_force: bool,
 }
 
-/// Decides what a scene needs, and nothing else.
-#[must_use]
-pub fn plan(scene: &Scene, demands: PlanOptions) -> Plan {
+/// The columns of the particles of each body.
+pub(crate) fn layouts(scene: &Scene, demands: PlanOptions) -> Vec<Layout> {
     let axes = scene.dimension.axes();
     let domain_update = scene.weighting.domain_update();
-    let family = scene.weighting.kind().family;
     let affine = scene.transfer.kind.kind().affine;
-    let viscous_damping = match scene.damping {
-        Damping::Viscous { alpha } if alpha != 0.0 => Some(alpha),
-        _ => None,
-    };
-    let kinetic_damping = scene.damping == Damping::Kinetic;
     let own_force = !scene.box_loads.is_empty() || demands.body_force;
     let written = |field: Field| scene.results.print > 0 && scene.results.fields.contains(&field);
     let displacement = demands.displacement
         || written(Field::Displacement)
         || (scene.results.writes_history() && !scene.probes.is_empty());
-    let layouts = scene
+    scene
         .bodies
         .iter()
         .map(|body| {
@@ -65,7 +58,23 @@ pub fn plan(scene: &Scene, demands: PlanOptions) -> Plan {
                 law.variables(),
             )
         })
-        .collect();
+        .collect()
+}
+
+/// Decides what a scene needs, and nothing else.
+#[must_use]
+pub fn plan(scene: &Scene, demands: PlanOptions) -> Plan {
+    let axes = scene.dimension.axes();
+    let domain_update = scene.weighting.domain_update();
+    let family = scene.weighting.kind().family;
+    let affine = scene.transfer.kind.kind().affine;
+    let viscous_damping = match scene.damping {
+        Damping::Viscous { alpha } if alpha != 0.0 => Some(alpha),
+        _ => None,
+    };
+    let kinetic_damping = scene.damping == Damping::Kinetic;
+    let own_force = !scene.box_loads.is_empty() || demands.body_force;
+    let layouts = layouts(scene, demands);
     let mut plan = Plan {
         axes,
         axisymmetric: scene.mesh.axisymmetric,

@@ -11,7 +11,7 @@ mod traction_cover;
 
 pub use memory_estimate::{MemoryEstimate, estimate_memory};
 pub use options::{InitialField, InitialState, Options};
-pub use start_state::{StartBody, StartState};
+pub use start_state::{StartBody, StartState, missing_column};
 
 use crate::plan::{PlanOptions, plan};
 use crate::values::Scene;

@@ -1,5 +1,6 @@
 //! Start states: bodies that begin as another run left them.
 
+use crate::plan::{PlanOptions, layouts};
 use crate::values::{InitialStress, Scene};
 use proctor_kernel::layout::Layout;
 use proctor_kernel::model::Vector;
@@ -159,6 +160,28 @@ fn take(
         ..state.maxima
     };
     Ok(())
+}
+
+/// A column of the particles of a body that a scene needs, and that the body of the same identifier lacks in the scene before it: the
+/// place of the body, and the name of the column.
+#[must_use]
+pub fn missing_column(before: &Scene, scene: &Scene) -> Option<(usize, String)> {
+    let demands = PlanOptions::default();
+    let had = layouts(before, demands);
+    for (index, (body, layout)) in scene.bodies.iter().zip(layouts(scene, demands)).enumerate() {
+        let Some(old) = before.bodies.iter().position(|old| old.id == body.id) else {
+            continue;
+        };
+        let had = had[old].names();
+        let mut names = layout.names().into_iter().enumerate();
+        let missing = names.find(|(column, name)| {
+            matches!(Role::of(&layout, *column), Role::Kept) && !had.contains(name)
+        });
+        if let Some((_, name)) = missing {
+            return Some((index, name));
+        }
+    }
+    None
 }
 
 /// The content of a column, as far as a start state treats it in a way of its own.

@@ -5,6 +5,8 @@
 //! that comes in, k the stiffness of a spring, d the displacement since the start. R balances the stress and the weight that
 //! are there at the start, so that ground at rest stays at rest.
 //!
+//! Beside a base that shakes the ground beyond a side moves too: v is then that against free ground (`free_ground.rs`).
+//!
 //! An antisymmetric plane has R alone: the ground beside it bears the stress that is there at the start.
 //!
 //! v is the mean of the velocities before and after the kick. The dashpot is then implicit: it takes exactly Z v² dt, is of
@@ -13,7 +15,7 @@
 
 use super::{ConditionResult, ConditionType};
 use crate::grid::{GridShape, Line};
-use crate::model::{CycleSettings, PlaneCondition};
+use crate::model::{CycleSettings, PlaneCondition, Vector};
 use crate::simulation::Cycle;
 use crate::simulation::context::{Condition, FieldNodes, NodalConditions};
 use crate::simulation::fields::{Owner, SlabField};
@@ -29,7 +31,9 @@ struct AbsorbingPlanes;
 /// Absorbing planes.
 pub(super) const ABSORBING_PLANES: ConditionType = ConditionType {
     plan_entries: |settings, list| {
-        let why = if settings.absorbs() {
+        let why = if settings.has_free_ground() {
+            "waves leave through a plane; free ground moves beside the sides"
+        } else if settings.absorbs() {
             "waves leave through a plane"
         } else {
             "antisymmetric planes bear the stress of the start"
@@ -135,16 +139,15 @@ impl Cycle {
         if self.state.absorbing.is_empty() {
             return;
         }
-        let middle = 0.5 * (nodal.half_steps[0] + nodal.half_steps[1]);
         let incoming = self.model.settings.ground_beyond.incoming.as_ref();
-        let wave = self.model.incoming.as_ref().map(|wave| wave.at(middle));
+        let incoming_velocity = self.wave_of(nodal);
         let shape = &self.work.grid.shape;
         nodal
             .absorbing
             .extend(self.state.absorbing.iter().map(|one| {
                 let enters = incoming
                     .is_some_and(|wave| shape.lies_in_plane(one.node, wave.axis, wave.side));
-                let wave = wave.filter(|_| enters).unwrap_or_default();
+                let wave = if enters { incoming_velocity } else { [0.0; 3] };
                 DashpotNode {
                     node: one.node,
                     impedance: one.impedance,
@@ -154,16 +157,29 @@ impl Cycle {
                     }),
                 }
             }));
+        self.add_free_ground(nodal, incoming_velocity);
+    }
+
+    /// Velocity of the wave that comes in, in the middle of a kick \[m/s\].
+    pub(in crate::simulation) fn wave_of(&self, nodal: &NodalConditions) -> Vector {
+        let middle = 0.5 * (nodal.half_steps[0] + nodal.half_steps[1]);
+        let wave = self.model.incoming.as_ref();
+        wave.map_or([0.0; 3], |wave| wave.at(middle))
     }
 
     /// Adds the displacement increment of a step at the nodes of absorbing planes, after the equation of motion.
     ///
     /// # Errors
     /// The material at a plane has moved off it by half a cell: the dashpots, which stay at their nodes, hold nothing there.
-    pub(in crate::simulation) fn move_absorbing(&mut self, drift: &Drift) -> Result<(), StepError> {
+    pub(in crate::simulation) fn move_absorbing(
+        &mut self,
+        nodal: &NodalConditions,
+        drift: &Drift,
+    ) -> Result<(), StepError> {
         if self.state.absorbing.is_empty() {
             return Ok(());
         }
+        self.move_free_ground(nodal, drift);
         let mut nodes = std::mem::take(&mut self.state.absorbing);
         for one in &mut nodes {
             let (mut mass, mut momentum) = (0.0, [0.0; 3]);
@@ -191,13 +207,13 @@ impl Cycle {
         let (mesh, shape) = (&self.model.settings.mesh, &self.work.grid.shape);
         for (axis, side) in self.model.settings.absorbing_planes() {
             let nodes = self.state.absorbing.iter();
-            let on = nodes.filter(|one| {
-                one.impedance[axis] > 0.0 && shape.lies_in_plane(one.node, axis, side)
+            let on = nodes.filter(|one| shape.lies_in_plane(one.node, axis, side));
+            // A node that the ground hardly touches runs ahead: each counts by its dashpot.
+            let [all, sum] = on.fold([0.0; 2], |[all, sum], one| {
+                let weight = one.impedance[axis];
+                [all + weight, sum + weight * one.displacement[axis]]
             });
-            let (count, sum) = on.fold((0_usize, 0.0), |(count, sum), one| {
-                (count + 1, sum + one.displacement[axis])
-            });
-            let mean = sum / count.max(1) as f64;
+            let mean = if all > 0.0 { sum / all } else { 0.0 };
             if mean.abs() > MOST_TRAVEL * mesh.cell[axis] {
                 return Err(self.error(StepErrorKind::OffAbsorbingPlane {
                     plane: (axis, side),

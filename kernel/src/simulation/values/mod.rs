@@ -7,6 +7,7 @@ mod energy;
 mod error;
 mod event;
 mod extremes;
+mod free_ground;
 mod handle;
 mod invariants;
 mod mass_center;
@@ -26,6 +27,7 @@ pub use error::{
 };
 pub use event::{Event, EventKind};
 pub use extremes::{Extremes, MOST_STRETCH_RATIO};
+pub use free_ground::FreeGroundNode;
 pub use handle::BodyHandle;
 pub(super) use invariants::ROUND_OFF;
 pub use invariants::{Invariant, InvariantMonitor, Violation};

@@ -8,6 +8,7 @@ use super::absorbing::AbsorbingNode;
 use super::clock::Clock;
 use super::event::Event;
 use super::extremes::Extremes;
+use super::free_ground::FreeGroundNode;
 use super::invariants::InvariantMonitor;
 use super::spin::Spin;
 use crate::model::Vector;
@@ -47,6 +48,8 @@ pub struct State {
     pub start_spin: Option<Spin>,
     /// Nodes of absorbing planes, increasing.
     pub absorbing: Vec<AbsorbingNode>,
+    /// Nodes of free ground beside absorbing sides, column by column.
+    pub free_ground: Vec<FreeGroundNode>,
 }
 
 /// Running sums of the energy balance.
@@ -149,6 +152,7 @@ impl State {
             extremes: Extremes::default(),
             start_spin: None,
             absorbing: vec![],
+            free_ground: vec![],
         }
     }
 }

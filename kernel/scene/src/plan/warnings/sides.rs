@@ -39,8 +39,9 @@ pub(super) fn held_by_sides(scene: &Scene) -> Vec<String> {
             let word = ["x", "y", "z"][along];
             let normal = holding.iter().any(|(axis, _)| *axis == along);
             let instead = if normal {
-                "\"antisymmetric\" sides let a level layer shear as one without end does (they hold its vertical motion: begin \
-                 with its stress at rest); \"free\" sides, a cell or more away, leave a body that stands alone to itself"
+                "\"absorbing\" sides move with free ground and let waves out; \"antisymmetric\" sides let a level layer shear as \
+                 one without end does (they hold its vertical motion: begin with its stress at rest); \"free\" sides, a \
+                 cell or more away, leave a body that stands alone to itself"
             } else {
                 "\"sliding\" planes leave it free along themselves"
             };
@@ -55,31 +56,6 @@ pub(super) fn held_by_sides(scene: &Scene) -> Vec<String> {
         }
     }
     all
-}
-
-/// Bodies beside planes that absorb, where the base shakes: the sides stand still far away, while the ground there moves too.
-pub(super) fn absorbed_by_sides(scene: &Scene) -> Vec<String> {
-    let incoming = scene.ground_beyond.incoming.as_ref();
-    let Some(base) = scene.base_motion.as_ref().or(incoming) else {
-        return vec![];
-    };
-    let axes = scene.dimension.axes();
-    let sides = (0..axes).filter(|axis| *axis != base.axis);
-    let sides = sides.flat_map(|axis| [(axis, 0), (axis, 1)]);
-    let absorb = |(axis, side): &(usize, usize)| {
-        scene.mesh.planes[*axis][*side] == PlaneCondition::Absorbing
-    };
-    let names: Vec<String> = (sides.filter(absorb))
-        .map(|(axis, side)| plane(axis, side))
-        .collect();
-    if names.is_empty() {
-        return vec![];
-    }
-    vec![format!(
-        "{}: absorbing, beside a base that shakes. The dashpots hold the ground back as ground that stands still would, and take \
-         a part of the shaking near the sides; \"antisymmetric\" sides move as level ground beside them does",
-        names.join(", ")
-    )]
 }
 
 /// Bodies with weight but without stress on a plane that absorbs: nothing holds them, and they sink at a speed of g L/c.
