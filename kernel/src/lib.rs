@@ -58,4 +58,6 @@ pub mod stage;
 #[doc(hidden)]
 pub mod weights;
 
-pub use proctor_geometry::{bodies, enclosed, exact_sum, memory, number, shape, sheet, solid, stratum, team};
+pub use proctor_geometry::{
+    bodies, enclosed, exact_sum, memory, number, shape, sheet, solid, stratum, team,
+};

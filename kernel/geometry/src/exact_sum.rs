@@ -165,7 +165,8 @@ mod tests {
     fn numbers(count: usize, exponents: std::ops::Range<i32>) -> Vec<f64> {
         let mut word = 0x2545_f491_4f6c_dd1d_u64;
         let mut next = || {
-            word = (word.wrapping_mul(6_364_136_223_846_793_005)).wrapping_add(1_442_695_040_888_963_407);
+            word = (word.wrapping_mul(6_364_136_223_846_793_005))
+                .wrapping_add(1_442_695_040_888_963_407);
             word >> 11
         };
         let span = (exponents.end - exponents.start) as u64;
@@ -188,7 +189,11 @@ mod tests {
     fn the_sum_is_that_of_whole_numbers_rounded_once() {
         for count in [1, 2, 3, 100, 5000] {
             let terms = numbers(count, 0..60);
-            assert_eq!(exact_sum(terms.iter().copied()), by_whole_numbers(&terms), "{count}");
+            assert_eq!(
+                exact_sum(terms.iter().copied()),
+                by_whole_numbers(&terms),
+                "{count}"
+            );
         }
     }
 
@@ -219,7 +224,16 @@ mod tests {
 
     #[test]
     fn one_number_is_its_own_sum() {
-        let edges = [0.0, 5e-324, -5e-324, f64::MIN_POSITIVE, f64::MAX, f64::MIN, 1.0, -0.1];
+        let edges = [
+            0.0,
+            5e-324,
+            -5e-324,
+            f64::MIN_POSITIVE,
+            f64::MAX,
+            f64::MIN,
+            1.0,
+            -0.1,
+        ];
         for x in numbers(3000, -1022..1023).into_iter().chain(edges) {
             assert_eq!(exact_sum([x]).to_bits(), x.to_bits(), "{x:e}");
         }
@@ -230,11 +244,20 @@ mod tests {
         let half = power_of_two(-53);
         assert_eq!(exact_sum([1.0, half]), 1.0);
         assert_eq!(exact_sum([1.0, half, 5e-324]), 1.0 + f64::EPSILON);
-        assert_eq!(exact_sum([1.0 + f64::EPSILON, half]), 1.0 + 2.0 * f64::EPSILON);
-        assert_eq!(exact_sum([1.0 + f64::EPSILON, half, -5e-324]), 1.0 + f64::EPSILON);
+        assert_eq!(
+            exact_sum([1.0 + f64::EPSILON, half]),
+            1.0 + 2.0 * f64::EPSILON
+        );
+        assert_eq!(
+            exact_sum([1.0 + f64::EPSILON, half, -5e-324]),
+            1.0 + f64::EPSILON
+        );
         assert_eq!(exact_sum([-1.0, -half, -5e-324]), -1.0 - f64::EPSILON);
         // Subnormal numbers have units of their own.
-        assert_eq!(exact_sum([f64::MIN_POSITIVE, -5e-324]), f64::MIN_POSITIVE - 5e-324);
+        assert_eq!(
+            exact_sum([f64::MIN_POSITIVE, -5e-324]),
+            f64::MIN_POSITIVE - 5e-324
+        );
     }
 
     #[test]
@@ -266,6 +289,9 @@ mod tests {
         let whole = (0.1 / unit) as i128 * i128::from(count);
         assert_eq!(found, whole as f64 * unit);
         let highest = LOWEST_EXPONENT + 32 * (DIGITS as i32 - 1);
-        assert!(highest > 1024 + 32, "a carry has room above the largest number");
+        assert!(
+            highest > 1024 + 32,
+            "a carry has room above the largest number"
+        );
     }
 }

@@ -34,7 +34,15 @@ impl Cycle {
         let [mass, x0, x1, x2, v0, v1, v2] = self.sums_over(particles, |p| {
             let m = particles.columns[Layout::MASS][p];
             let (x, v) = (particles.position(p), particles.velocity(p));
-            [m, m * x[0], m * x[1], m * x[2], m * v[0], m * v[1], m * v[2]]
+            [
+                m,
+                m * x[0],
+                m * x[1],
+                m * x[2],
+                m * v[0],
+                m * v[1],
+                m * v[2],
+            ]
         });
         let (mut x, mut v) = ([x0, x1, x2], [v0, v1, v2]);
         let origin = self.origin();

@@ -16,7 +16,15 @@ impl Cycle {
         self.is_left_alone().then_some(())?;
         let [mass, center @ .., px, py, pz] = self.sums(|set, p| {
             let (m, x, v) = (mass_of(set, p), set.position(p), set.velocity(p));
-            [m, m * x[0], m * x[1], m * x[2], m * v[0], m * v[1], m * v[2]]
+            [
+                m,
+                m * x[0],
+                m * x[1],
+                m * x[2],
+                m * v[0],
+                m * v[1],
+                m * v[2],
+            ]
         });
         let momentum = [px, py, pz];
         let [x, y, z, scale] = self.sums(|set, p| {

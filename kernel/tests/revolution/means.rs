@@ -98,7 +98,6 @@ impl Rings {
                     nodes: nodes.lines_mut(),
                     carry,
                     viscous_rate: 0.0,
-                    water: None,
                 },
             );
         }

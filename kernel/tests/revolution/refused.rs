@@ -2,9 +2,7 @@
 
 use super::cylinder;
 use crate::common::MLS;
-use proctor_scene::{
-    BaseMotion, Dimension, Motion, PlaneCondition, PointLoad, Scene, Weighting,
-};
+use proctor_scene::{BaseMotion, Dimension, Motion, PlaneCondition, PointLoad, Scene, Weighting};
 
 type Spoil = (&'static str, fn(&mut Scene));
 

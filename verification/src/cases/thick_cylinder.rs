@@ -45,14 +45,15 @@ pub static THICK_CYLINDER: Case = Case::new(
 .residual()
 .compare_after(settle, compare)
 .gates_of_variants(&[
-    error(DISPLACEMENT).at_most_of(
-        [4.8e-4, 3e-5],
-        [
-            "sixteen times the bound at 64 cells, as order 2 allows at 16",
-            "a prototype of the same weights was off by 1e-5",
-        ],
-    )
-    .on(|rung| rung.variant != STIFF),
+    error(DISPLACEMENT)
+        .at_most_of(
+            [4.8e-4, 3e-5],
+            [
+                "sixteen times the bound at 64 cells, as order 2 allows at 16",
+                "a prototype of the same weights was off by 1e-5",
+            ],
+        )
+        .on(|rung| rung.variant != STIFF),
     error(DISPLACEMENT)
         .at_most_of(
             [8e-4, 2e-4],
@@ -111,7 +112,11 @@ fn rungs(size: Size) -> Vec<Rung> {
 }
 
 fn poisson(rung: &Rung) -> f64 {
-    if rung.variant == STIFF { NEARLY } else { POISSON }
+    if rung.variant == STIFF {
+        NEARLY
+    } else {
+        POISSON
+    }
 }
 
 fn exact(rung: &Rung, factor: f64) -> ThickWall {

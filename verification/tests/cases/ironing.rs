@@ -53,7 +53,10 @@ fn figures() -> Vec<(Rung, RungResult)> {
             } else {
                 60.0
             };
-            quantities.push(quantity("largest leftward force on the block on the way out", leftward));
+            quantities.push(quantity(
+                "largest leftward force on the block on the way out",
+                leftward,
+            ));
             quantities.push(Quantity {
                 exact: Some(0.0),
                 error: None,
