@@ -9,7 +9,7 @@ mod plane;
 mod reading;
 pub(crate) mod start;
 
-pub use reading::{Reading, Reported};
+pub use reading::{ReadValue, Reading};
 
 use proctor_scene::{
     Dimension, Field, Mesh, PlaneCondition, PointLoad, Results, Scene, Shape, TimeStep, Traction,

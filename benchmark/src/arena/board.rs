@@ -5,7 +5,7 @@ use crate::bench::children::OWN;
 use crate::precision::cost::Cost;
 use crate::precision::findings::LEVELS;
 use crate::record::{Kind, Record, Row};
-use proctor_verification::guest::Reported;
+use proctor_verification::guest::ReadValue;
 use std::collections::BTreeMap;
 
 /// Findings of the arena of a record.
@@ -59,8 +59,8 @@ pub struct Cell {
     pub best: Option<f64>,
     /// Order of the error between its two finest runs.
     pub order: Option<f64>,
-    /// What it reports on the finest mesh, where the case is a report.
-    pub reported: Option<Reported>,
+    /// Its report on the finest mesh, where the case is a report.
+    pub reported: Option<ReadValue>,
     /// Reason for which it skipped the case.
     pub skipped: Option<String>,
     /// Its runs, coarse to fine.

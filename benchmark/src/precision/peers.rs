@@ -15,7 +15,7 @@ use crate::record::{Row, key};
 use proctor_scene::Scene;
 use proctor_verification::case::{Rung, Size};
 use proctor_verification::convergence::{self, ConvergenceTable};
-use proctor_verification::guest::Reported;
+use proctor_verification::guest::ReadValue;
 use proctor_verification::study::Study;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -101,8 +101,8 @@ pub struct PeerRun {
     pub particles: Option<usize>,
     /// Relative error of the first measure of the study, or why there is none.
     pub error: Result<f64, String>,
-    /// What is reported of it, where the case is open as a report.
-    pub reported: Option<Reported>,
+    /// Its report, where the case is open as one.
+    pub reported: Option<ReadValue>,
 }
 
 impl PeerRun {

@@ -5,7 +5,7 @@ use crate::bench::children::{Calibration, GuestScene, own};
 use crate::record::key;
 use proctor_files::output::atomic;
 use proctor_verification::case::{Rung, Size};
-use proctor_verification::guest::{ComparedField, Guest, Norm, Reading, Reported, Snapshot};
+use proctor_verification::guest::{ComparedField, Guest, Norm, ReadValue, Reading, Snapshot};
 use proctor_verification::study::Study;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -148,7 +148,7 @@ fn to_report(
 ///
 /// # Errors
 /// If there is none.
-pub fn judge(study: Study, rung: &Rung, frames: &Path) -> Result<(f64, Option<Reported>), String> {
+pub fn judge(study: Study, rung: &Rung, frames: &Path) -> Result<(f64, Option<ReadValue>), String> {
     let guest = study.guest(rung)?;
     let handed = GuestScene::new(&guest)?;
     let own = own().ok_or("this program does not know its own file")?;

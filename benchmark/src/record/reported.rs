@@ -1,7 +1,7 @@
 //! A number that a row reports beside its reference. It is no error: no comparison of records calls it worse.
 
 use super::Row;
-use proctor_verification::guest::Reported;
+use proctor_verification::guest::ReadValue;
 
 /// Labels of such a row: the name of the number, and the source of its reference.
 const REPORTED: &str = "reported";
@@ -9,7 +9,7 @@ const SOURCE: &str = "reference_source";
 
 impl Row {
     /// Adds a number that is reported, by the word of its measure.
-    pub fn report(&mut self, word: &str, reported: &Reported) {
+    pub fn report(&mut self, word: &str, reported: &ReadValue) {
         self.label(REPORTED, reported.name.clone());
         self.label(SOURCE, reported.source.clone());
         self.count(format!("value_{word}"), reported.value);
@@ -18,12 +18,12 @@ impl Row {
 
     /// The number that it reports, if it does.
     #[must_use]
-    pub fn reported(&self) -> Option<Reported> {
+    pub fn reported(&self) -> Option<ReadValue> {
         let count = |of: &str| {
             let mut counters = self.counters.iter();
             counters.find_map(|(key, value)| key.starts_with(of).then_some(*value))
         };
-        Some(Reported {
+        Some(ReadValue {
             name: self.labels.get(REPORTED)?.clone(),
             value: count("value_")?,
             reference: count("exact_")?,

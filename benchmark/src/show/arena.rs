@@ -6,7 +6,7 @@ use crate::arena::{Board, Cell};
 use crate::precision::cost::Cost;
 use crate::precision::peers::stays;
 use crate::record::Record;
-use proctor_verification::guest::Reported;
+use proctor_verification::guest::ReadValue;
 use std::io::{self, Write};
 
 /// Columns of a terminal from which on the table has more of them.
@@ -43,7 +43,7 @@ pub const REPORTS: &str =
 
 /// A number that is reported, in words: `run-out over width 1.93, 7.2 % above 1.8 (experiments)`.
 #[must_use]
-pub fn reported(reported: &Reported) -> String {
+pub fn reported(reported: &ReadValue) -> String {
     let side = if reported.value < reported.reference {
         "below"
     } else {

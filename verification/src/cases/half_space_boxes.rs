@@ -114,13 +114,13 @@ fn compare(run: &mut Run<'_>) -> Result<Measurements, Failure> {
 }
 
 /// Errors of the three boxes of a cell size against the half-space, and of their extrapolation.
-struct Extrapolated {
+struct BoxErrors {
     cell: f64,
     boxes: [f64; 3],
     error: f64,
 }
 
-fn extrapolated(runs: &Runs<'_>, cell: f64) -> Extrapolated {
+fn extrapolated(runs: &Runs<'_>, cell: f64) -> BoxErrors {
     let boxes = BOXES.map(|(variant, _)| {
         let mut solved = runs.solved.iter();
         let own = solved.find(|(rung, _)| rung.variant == variant && rung.cell == cell);
@@ -134,7 +134,7 @@ fn extrapolated(runs: &Runs<'_>, cell: f64) -> Extrapolated {
         .iter()
         .zip(EXTRAPOLATION)
         .map(|(error, factor)| factor * error);
-    Extrapolated {
+    BoxErrors {
         cell,
         boxes,
         error: error.sum::<f64>().abs(),
@@ -143,8 +143,8 @@ fn extrapolated(runs: &Runs<'_>, cell: f64) -> Extrapolated {
 
 fn verdict(runs: &Runs<'_>) -> Verdict {
     let own = runs.rungs.iter().filter(|rung| rung.variant == BOXES[0].0);
-    let all: Vec<Extrapolated> = own.map(|rung| extrapolated(runs, rung.cell)).collect();
-    let line = |one: &Extrapolated| {
+    let all: Vec<BoxErrors> = own.map(|rung| extrapolated(runs, rung.cell)).collect();
+    let line = |one: &BoxErrors| {
         let [a, b, c] = one.boxes.map(|error| 100.0 * error);
         format!(
             "h = 1/{:.0}: boxes of 1, 2 and 4 m are {a:+.1}, {b:+.1} and {c:+.1} % off the half-space, extrapolated {:.2} %",

@@ -126,7 +126,7 @@ const fn of_last_contact() -> GateRule {
         .named("{label}: error of the last contact")
 }
 
-/// What APIC takes is no error of the energies.
+/// Gate on an energy in time, with FLIP: the part that APIC takes is no error.
 const fn of_energy(quantity: &'static str) -> GateRule {
     error(quantity)
         .at_most_of(

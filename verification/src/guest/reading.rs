@@ -2,7 +2,7 @@
 
 use super::Snapshot;
 
-/// What is read off frames: a number without a unit, beside a reference.
+/// Function that reads a number without a unit off frames.
 type Read = Box<dyn Fn(&[Snapshot]) -> f64 + Send + Sync>;
 
 /// A number that a case reads off frames, and the reference beside it. It has no bound but that which a user gives.
@@ -18,7 +18,7 @@ pub struct Reading {
 
 /// A reading of the frames of a solver.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Reported {
+pub struct ReadValue {
     /// Name of the number.
     pub name: String,
     /// The number \[1\].
@@ -50,10 +50,10 @@ impl Reading {
     ///
     /// # Errors
     /// If it is not finite.
-    pub fn of(&self, frames: &[Snapshot]) -> Result<Reported, String> {
+    pub fn of(&self, frames: &[Snapshot]) -> Result<ReadValue, String> {
         let value = (self.read)(frames);
         if value.is_finite() {
-            Ok(Reported {
+            Ok(ReadValue {
                 name: self.name.to_owned(),
                 value,
                 reference: self.reference,
@@ -65,7 +65,7 @@ impl Reading {
     }
 }
 
-impl Reported {
+impl ReadValue {
     /// Share by which the number is beyond or below its reference \[1\].
     #[must_use]
     pub fn off(&self) -> f64 {

@@ -2,9 +2,9 @@
 
 use super::{frames, guest};
 use proctor_scene::Vector;
-use proctor_verification::guest::{ComparedField, Guest, Reported, Snapshot};
+use proctor_verification::guest::{ComparedField, Guest, ReadValue, Snapshot};
 
-fn read(guest: &Guest, frames: &[Snapshot]) -> Result<Reported, String> {
+fn read(guest: &Guest, frames: &[Snapshot]) -> Result<ReadValue, String> {
     guest.reading.as_ref().expect("a report").of(frames)
 }
 
