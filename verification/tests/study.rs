@@ -231,7 +231,6 @@ fn every_case_has_a_study_or_a_reason_why_not() {
             "column-terzaghi",
             "hydrostatic-jump",
             "seepage",
-            "infinite-slope",
             "undrained-patch",
             "breathing",
             "revolved",

@@ -39,7 +39,6 @@ mod hydrostatic_jump;
 mod inclined_block;
 mod inclined_two_blocks;
 mod incompressible_box;
-mod infinite_slope;
 mod ironing;
 mod plastic_wave;
 mod prelude;
@@ -164,7 +163,6 @@ list! {
     column_terzaghi::[COLUMN_TERZAGHI],
     hydrostatic_jump::[HYDROSTATIC_JUMP],
     seepage::[SEEPAGE],
-    infinite_slope::[INFINITE_SLOPE],
     undrained_patch::[UNDRAINED_PATCH],
     breathing::[BREATHING],
     revolved::[REVOLVED],

@@ -17,8 +17,8 @@ pub(crate) use proctor_scene::simulation::{
 pub(crate) use proctor_scene::{
     BaseMotion, Body, BodyBoundary, BoxLoad, Contact, ContactNormal, Damping, Dimension,
     DomainUpdate, Field, HeldBox, History, InitialPressure, InitialStress, Material, Mesh, Mortar,
-    MortarContact, Motion, ParticleSeed, PlaneCondition, PlanePressure, PointLoad, PoreWater,
-    Results, RigidFacets, RigidLine, RigidSurface, Scene, Shape, StressScheme, TimeStep, Traction,
+    MortarContact, Motion, ParticleSeed, PlaneCondition, PointLoad, PoreWater, Results,
+    RigidFacets, RigidLine, RigidSurface, Scene, Shape, StressScheme, TimeStep, Traction,
     TransferKind, Vector, Vertices, VolumetricStrain, Weighting,
 };
 
