@@ -2,7 +2,7 @@
 //!
 //! Source: technical manual, section 20.1: "errors decrease with mesh refinement" against Boussinesq's half-space under a point
 //! load. One box cannot do that: 0.5 m below the load those of 1, 2 and 4 m settle by 0.63, 0.82 and 0.91 of the half-space,
-//! exactly. What a box of side L leaves is a series in 1/L, and three boxes take its first two terms away: (8 u(4L) - 6 u(2L) +
+//! exactly. The error of a box of side L is a series in 1/L, and three boxes take its first two terms away: (8 u(4L) - 6 u(2L) +
 //! u(L))/3 of the exact boxes is 0.24 % off the half-space. So the sentence holds for three boxes.
 //!
 //! Expected: order 2 in h until 0.24 % are left. `proctor verify half-space-boxes`.

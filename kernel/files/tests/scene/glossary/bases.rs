@@ -217,13 +217,10 @@ pub fn bases() -> Vec<Value> {
             of_material(
                 axes,
                 &json!({
-                    "type": "mu_i", "static_friction": 0.4, "largest_friction": 0.6, "grain_diameter": 1e-3,
+                    "type": "mu_i", "static_friction": 0.2, "largest_friction": 0.6, "grain_diameter": 1e-3,
                 }),
             ),
-            of_material(
-                axes,
-                &json!({"type": "undrained_clay", "su_vertical_stress": 0.2, "least_strength": 1e3}),
-            ),
+            of_material(axes, &json!({"type": "undrained_clay", "su_vertical_stress": 0.2})),
             of_material(axes, &json!({"type": "drucker_prager", "friction": 30, "cohesion": 1e6})),
             of_material(axes, &json!({"type": "mohr_coulomb", "friction": 30, "cohesion": 1e6})),
             of_material(
