@@ -62,7 +62,7 @@ fn dashpots_have_the_areas_of_rings() {
     for (weighting, of_axis) in [
         (Weighting::UniformGimp, 1.0 / 6.0 + 1.0 / 48.0),
         (Weighting::Linear, 0.1875),
-        (Weighting::QuadraticBSpline, 0.2109375),
+        (Weighting::QuadraticBSpline, 0.210_937_5),
     ] {
         let round_off = if weighting == Weighting::QuadraticBSpline {
             1e-3

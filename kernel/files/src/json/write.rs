@@ -225,7 +225,9 @@ fn terrain(scene: &Scene) -> (Vec<Value>, Vec<(String, String)>) {
             for triangle in 0..rigid.surface.triangle_count() {
                 text.push_str("facet normal 0 0 0\nouter loop\n");
                 for [x, y, z] in rigid.surface.corners(triangle) {
-                    text.push_str(&format!("vertex {x:e} {y:e} {z:e}\n"));
+                    text.push_str("vertex");
+                    text.extend([x, y, z].map(|x| format!(" {x:e}")));
+                    text.push('\n');
                 }
                 text.push_str("endloop\nendfacet\n");
             }
