@@ -154,7 +154,7 @@ fn let_go(rung: &Rung) -> Guest {
     Settings::new(method)
         .courant(guest::COURANT)
         .apply(&mut scene);
-    scene.name = "collapse".to_owned();
+    scene.name = "collapse".into();
     for body in &mut scene.bodies {
         body.initial_stress = InitialStress::None;
     }
