@@ -352,7 +352,7 @@ fn plane_of_triangles() -> String {
     ] {
         text.push_str("facet normal 0 1 0\nouter loop\n");
         for (x, z) in corners {
-            text.extend(["vertex ".to_owned(), format!("{x} {CELL} {z}\n")]);
+            text.extend([format!("vertex {x} {CELL} {z}\n")]);
         }
         text.push_str("endloop\nendfacet\n");
     }
