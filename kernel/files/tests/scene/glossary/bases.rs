@@ -109,6 +109,14 @@ fn of_clay(axes: usize) -> Value {
     scene
 }
 
+/// The block of clay whose strength is a share of the stress at the start.
+fn of_undrained_clay(axes: usize) -> Value {
+    let keys = json!({"type": "undrained_clay", "su_vertical_stress": 0.2});
+    let mut scene = of_material(axes, &keys);
+    scene["body"][0]["initial_stress"] = json!({"type": "isotropic", "value": -1e5});
+    scene
+}
+
 /// The block with water in its pores.
 fn of_wet_soil(axes: usize) -> Value {
     let mut scene = of_material(
@@ -220,7 +228,7 @@ pub fn bases() -> Vec<Value> {
                     "type": "mu_i", "static_friction": 0.2, "largest_friction": 0.6, "grain_diameter": 1e-3,
                 }),
             ),
-            of_material(axes, &json!({"type": "undrained_clay", "su_vertical_stress": 0.2})),
+            of_undrained_clay(axes),
             of_material(axes, &json!({"type": "drucker_prager", "friction": 30, "cohesion": 1e6})),
             of_material(axes, &json!({"type": "mohr_coulomb", "friction": 30, "cohesion": 1e6})),
             of_material(
