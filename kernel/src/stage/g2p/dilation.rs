@@ -5,7 +5,7 @@
 //! integration for particles (Hughes 1980; Nagtegaal, Parks and Rice 1974).
 //!
 //! Where the first axis is a radius, radial and hoop strain have one mean together, and what is across the radius is a mean over
-//! rings ([`ring_mean_weights`]).
+//! rings (`weights::ring_mean_weights`).
 
 use super::reach::{Bases, BlockReach, MOST};
 use crate::grid::Line;
