@@ -81,7 +81,7 @@ fn a_restart_changes_what_a_stage_changes_and_says_what() {
         energy["damping"].as_f64().expect("a number") > 0.0,
         "{energy}"
     );
-    // Nothing is told where nothing changes.
+    // No line where nothing changes.
     let again = desk.run(&second, "run", &["--restart", &checkpoint]);
     assert_eq!(code(&again), 0);
     assert!(

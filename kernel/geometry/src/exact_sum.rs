@@ -15,7 +15,7 @@ const DIGITS: usize = 68;
 const TERMS: u32 = 1 << 9;
 /// Bits of a significand that are stored.
 const SIGNIFICAND_BITS: u32 = 52;
-/// Exponent bits of an infinity or of what is no number.
+/// Exponent bits of an infinity or a NaN.
 const NOT_FINITE: u64 = 0x7ff;
 /// Exponent of the unit of the lowest digit.
 const LOWEST_EXPONENT: i32 = -1074;
