@@ -30,7 +30,7 @@ fn each_package_has_a_licence_and_versions_of_what_it_needs() {
         assert_eq!(package["license"], "MIT OR Apache-2.0", "{name}");
         let needed = package["dependencies"].as_array().expect("dependencies");
         for needed in needed {
-            // Tests may need what is not there yet: cargo leaves it out of a package.
+            // Tests may depend on packages that are not published yet: cargo leaves these out of a package.
             let is_own = needed["path"].is_string() && needed["kind"] != "dev";
             assert!(
                 !is_own || needed["req"] != "*",

@@ -2,7 +2,7 @@
 //!
 //! A sum of rounded partial sums depends on the order of its terms. One that is exact does not, so that neither the way in
 //! which particles are stored nor the number of threads can change a bit of it. A term is split at fixed powers of 2^32 and
-//! added to the digits there, which are wide enough for a thousand terms before carries must travel (the small
+//! added to the digits there, which are wide enough for 512 terms before carries must travel (the small
 //! superaccumulator of R. M. Neal, "Fast exact summation using small and large superaccumulators", 2015).
 
 /// Bits of a digit once its carry has travelled.
