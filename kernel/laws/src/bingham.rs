@@ -76,6 +76,8 @@ impl Law for Bingham {
     ];
     const VARIABLES: &'static [Variable] = &[VISCOUS_WORK];
 
+    crate::compiled_here!();
+
     fn name(&self) -> &'static str {
         Self::NAME
     }

@@ -289,6 +289,8 @@ impl Law for CamClay {
         &[STRAIN, WORK, ALGORITHMIC, COMPRESSION, PRECONSOLIDATION];
     const YIELDS: bool = true;
 
+    crate::compiled_here!();
+
     fn name(&self) -> &'static str {
         Self::NAME
     }

@@ -103,6 +103,8 @@ impl Law for GranularFlow {
     const VARIABLES: &'static [Variable] = &[STRAIN, WORK];
     const YIELDS: bool = true;
 
+    crate::compiled_here!();
+
     fn name(&self) -> &'static str {
         Self::NAME
     }

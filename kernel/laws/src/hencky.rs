@@ -64,6 +64,8 @@ impl Law for Hencky {
     const CONSTANTS: &'static [Constant] = &[super::YOUNG, super::POISSON];
     const NEEDS_DEFORMATION: bool = true;
 
+    crate::compiled_here!();
+
     fn name(&self) -> &'static str {
         Self::NAME
     }

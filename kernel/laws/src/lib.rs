@@ -63,6 +63,18 @@ pub use proctor_kernel as kernel;
 
 use elasticity::{POISSON, YOUNG};
 
+/// The part of an `impl Law` by which the law is compiled for all lanes in its own package alone, and not again in each program that makes
+/// one: see [`Law::into_any`].
+#[macro_export]
+macro_rules! compiled_here {
+    () => {
+        #[inline(never)]
+        fn into_any(self) -> $crate::AnyLaw {
+            $crate::AnyLaw::new(self)
+        }
+    };
+}
+
 /// Laws, each in the file of that name, in the order in which messages list them.
 macro_rules! list {
     ($($file:ident: $law:ident,)*) => {

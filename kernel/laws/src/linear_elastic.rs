@@ -106,6 +106,8 @@ impl Law for LinearElastic {
 
     const CONSTANTS: &'static [Constant] = &[super::YOUNG, super::POISSON];
 
+    crate::compiled_here!();
+
     fn name(&self) -> &'static str {
         Self::NAME
     }

@@ -39,6 +39,8 @@ impl Law for NeoHookean {
     const CONSTANTS: &'static [Constant] = &[super::YOUNG, super::POISSON];
     const NEEDS_DEFORMATION: bool = true;
 
+    crate::compiled_here!();
+
     fn name(&self) -> &'static str {
         Self::NAME
     }

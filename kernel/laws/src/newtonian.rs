@@ -65,6 +65,8 @@ impl Law for Newtonian {
     const CONSTANTS: &'static [Constant] = &[BULK, VISCOSITY, EXPONENT];
     const VARIABLES: &'static [Variable] = &[VISCOUS_WORK];
 
+    crate::compiled_here!();
+
     fn name(&self) -> &'static str {
         Self::NAME
     }

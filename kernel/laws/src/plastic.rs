@@ -128,6 +128,8 @@ macro_rules! yielding_law {
                 <Self as $crate::YieldSurface>::VARIABLES;
             const YIELDS: bool = true;
 
+            $crate::compiled_here!();
+
             fn name(&self) -> &'static str {
                 $crate::YieldSurface::name(self)
             }

@@ -11,7 +11,7 @@ pub struct AnyLaw(Arc<dyn Strain>);
 
 impl<M: Law> From<M> for AnyLaw {
     fn from(law: M) -> Self {
-        Self(Arc::new(law))
+        law.into_any()
     }
 }
 
@@ -24,6 +24,11 @@ impl Deref for AnyLaw {
 }
 
 impl AnyLaw {
+    /// A law of a type. Its stages are compiled where this stands: see [`Law::into_any`].
+    pub fn new<M: Law>(law: M) -> Self {
+        Self(Arc::new(law))
+    }
+
     /// True for a fluid: its pressure follows from its volume, and no shear stress lasts.
     #[must_use]
     pub fn is_fluid(&self) -> bool {

@@ -142,6 +142,15 @@ pub trait Law: fmt::Debug + PartialEq + Send + Sync + 'static {
         0.0
     }
 
+    /// The law as one of any type. A law that writes `AnyLaw::new(self)` here itself, in a function that is not inlined, is compiled for
+    /// all lanes in its own package alone; by default it is compiled again in each package that makes one.
+    fn into_any(self) -> AnyLaw
+    where
+        Self: Sized,
+    {
+        AnyLaw::new(self)
+    }
+
     /// Work of the strain so far that is neither stored nor dissipated \[J\], for a law that yields: the trapezoidal work of a
     /// step, (sigma_n + sigma)/2 : de with sigma_n turned, is what it stores, what it dissipates, sigma : de_p, and
     /// (sigma_n - sigma)/2 : de_p, which is of the order of the step.
