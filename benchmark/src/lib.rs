@@ -33,6 +33,7 @@ pub mod report;
 pub mod runs;
 mod say;
 pub mod show;
+mod side_by_side;
 pub mod stability;
 pub mod statistics;
 pub mod suite;

@@ -37,6 +37,36 @@ pub fn busy(runs: impl IntoIterator<Item = Spent>) -> Option<f64> {
     (wall >= TOO_SHORT && times > BUSY).then_some(times)
 }
 
+/// A clock of processor time, begun.
+#[derive(Clone, Copy, Debug)]
+pub enum ProcessorClock {
+    /// All threads of the process, those that are busy elsewhere in it too.
+    Process(ProcessTime),
+    /// The calling thread.
+    Thread(ThreadTime),
+}
+
+impl ProcessorClock {
+    /// Begins to measure work of so many threads: work on one keeps to the thread that calls it.
+    #[must_use]
+    pub fn of_threads(threads: usize) -> Self {
+        if threads == 1 {
+            Self::Thread(ThreadTime::now())
+        } else {
+            Self::Process(ProcessTime::now())
+        }
+    }
+
+    /// Time on the processors since the beginning.
+    #[must_use]
+    pub fn elapsed(&self) -> Duration {
+        match self {
+            Self::Process(begun) => begun.elapsed(),
+            Self::Thread(begun) => begun.elapsed(),
+        }
+    }
+}
+
 /// Adds up the time of pieces of work.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Stopwatch {
@@ -47,16 +77,16 @@ pub struct Stopwatch {
 impl Stopwatch {
     /// Runs `work` and adds its time. Threads that are still busy elsewhere in this process count as well.
     pub fn time<T>(&mut self, work: impl FnOnce() -> T) -> T {
-        let (wall, cpu) = (Instant::now(), ProcessTime::now());
-        let result = work();
-        self.spent.cpu += cpu.elapsed();
-        self.spent.wall += wall.elapsed();
-        result
+        self.by(ProcessorClock::Process(ProcessTime::now()), work)
     }
 
     /// The same for work that keeps to the calling thread; other threads do not count.
     pub fn time_thread<T>(&mut self, work: impl FnOnce() -> T) -> T {
-        let (wall, cpu) = (Instant::now(), ThreadTime::now());
+        self.by(ProcessorClock::Thread(ThreadTime::now()), work)
+    }
+
+    fn by<T>(&mut self, cpu: ProcessorClock, work: impl FnOnce() -> T) -> T {
+        let wall = Instant::now();
         let result = work();
         self.spent.cpu += cpu.elapsed();
         self.spent.wall += wall.elapsed();

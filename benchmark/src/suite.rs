@@ -1,12 +1,9 @@
 //! Cases, run and timed.
 
 use crate::measure::{Spent, Stopwatch};
+use crate::side_by_side::side_by_side;
 use proctor_scene::simulation::Options;
 use proctor_verification::case::{Case, CaseError, Rung, RungResult, Size, Verdict};
-use std::collections::BTreeMap;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::mpsc;
-use std::thread;
 use std::time::Duration;
 
 /// Clock time above which a run is timed once, because its time scatters little.
@@ -67,48 +64,17 @@ pub fn run_side_by_side<E>(
     workers: usize,
     go: &(dyn Fn() -> bool + Sync),
     progress: &(dyn Fn(usize, f64) + Sync),
-    mut each: impl FnMut(CaseRun) -> Result<(), E>,
+    each: impl FnMut(CaseRun) -> Result<(), E>,
 ) -> Result<(), E> {
     let options = Options {
         threads: Some(1),
         ..options.clone()
     };
-    let next = AtomicUsize::new(0);
-    let failed = AtomicBool::new(false);
-    let go = || go() && !failed.load(Ordering::Relaxed);
-    thread::scope(|scope| {
-        let (send, receive) = mpsc::channel();
-        for _ in 0..workers.clamp(1, cases.len().max(1)) {
-            let send = send.clone();
-            let (next, go, options) = (&next, &go, &options);
-            scope.spawn(move || {
-                loop {
-                    let k = next.fetch_add(1, Ordering::Relaxed);
-                    let Some(&case) = cases.get(k).filter(|_| go()) else {
-                        break;
-                    };
-                    let ran = run_while(case, size, options, 1, go, &mut |share| {
-                        progress(k, share);
-                    });
-                    // Nobody listens any more once `each` has failed.
-                    if send.send((k, ran)).is_err() {
-                        break;
-                    }
-                }
-            });
-        }
-        drop(send);
-        let mut waiting: BTreeMap<usize, CaseRun> = BTreeMap::new();
-        let mut due = 0;
-        for (k, ran) in receive {
-            waiting.insert(k, ran);
-            while let Some(ran) = waiting.remove(&due) {
-                due += 1;
-                each(ran).inspect_err(|_| failed.store(true, Ordering::Relaxed))?;
-            }
-        }
-        Ok(())
-    })
+    let order: Vec<usize> = (0..cases.len()).collect();
+    let work = |k, case: &&'static Case| {
+        run_while(case, size, &options, 1, go, &mut |share| progress(k, share))
+    };
+    side_by_side(cases, &order, workers, go, work, each)
 }
 
 /// Runs a case as long as `go` says so before each run; the verdict is about those that were made. A run that fails does

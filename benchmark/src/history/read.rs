@@ -4,6 +4,7 @@ use super::numbers::{self, Numbers};
 use super::{Builder, History, Point};
 use crate::record::error::Reason;
 use crate::record::{Record, RecordError};
+use crate::side_by_side::all_of;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
@@ -42,7 +43,7 @@ pub fn of_files(paths: &[PathBuf]) -> Result<History, HistoryError> {
     }
     let mut builder = Builder::default();
     for part in files.chunks(AT_ONCE) {
-        for found in side_by_side(part, |path| of_file(path)) {
+        for found in all_of(part, |path| of_file(path)) {
             let (point, numbers) = found.map_err(HistoryError::Record)?;
             builder.add(point, numbers);
         }
@@ -133,7 +134,7 @@ pub fn of_git(path: &Path) -> Result<History, HistoryError> {
     for (part, names) in commits.chunks(AT_ONCE).zip(names.chunks(AT_ONCE)) {
         let texts: std::io::Result<Vec<_>> = names.iter().map(|name| blobs.read(name)).collect();
         let both: Vec<_> = part.iter().zip(texts.map_err(unreadable)?).collect();
-        let found = side_by_side(&both, |([hash, date, subject], text)| {
+        let found = all_of(&both, |([hash, date, subject], text)| {
             // A commit that removed the file has none.
             let text = text.as_deref()?;
             let named = PathBuf::from(format!("{}:{file}", &hash[..hash.len().min(10)]));
@@ -228,21 +229,4 @@ impl Drop for Blobs {
         self.input = None;
         let _ = self.child.wait();
     }
-}
-
-/// The results of a function of each item, in their order, on all processors.
-fn side_by_side<T: Sync, R: Send>(items: &[T], each: impl Fn(&T) -> R + Sync) -> Vec<R> {
-    let workers = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-    let share = items.len().div_ceil(workers).max(1);
-    std::thread::scope(|scope| {
-        let each = &each;
-        let parts: Vec<_> = items
-            .chunks(share)
-            .map(|part| scope.spawn(move || part.iter().map(each).collect::<Vec<R>>()))
-            .collect();
-        let joined = parts.into_iter().map(std::thread::ScopedJoinHandle::join);
-        joined
-            .flat_map(|part| part.unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
-            .collect()
-    })
 }

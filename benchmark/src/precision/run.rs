@@ -2,9 +2,8 @@
 
 use super::choices::{Choice, Effort, Plan};
 use super::peers::PeerLine;
-use crate::measure::Spent;
+use crate::measure::{ProcessorClock, Spent};
 use crate::show::percent;
-use cpu_time::ProcessTime;
 use proctor_scene::simulation::Options;
 use proctor_verification::case::Size;
 use proctor_verification::study::{Observer, Phase, Study};
@@ -133,11 +132,17 @@ pub(super) fn minimum_and_median(times: impl Iterator<Item = Duration>) -> Optio
     Some([*times.first()?, median])
 }
 
+/// Both clocks, begun for work of so many threads.
+fn now(threads: usize) -> (Instant, ProcessorClock) {
+    (Instant::now(), ProcessorClock::of_threads(threads))
+}
+
 /// Adds the times of the phases up, shows progress, and passes an interrupt on.
 struct Watch<'a> {
     sample: Sample,
     phase: Phase,
-    since: (Instant, ProcessTime),
+    since: (Instant, ProcessorClock),
+    threads: usize,
     progress: &'a mut dyn FnMut(f64),
     /// Share of the study that was done before this run, and the share that it is.
     share: [f64; 2],
@@ -161,7 +166,7 @@ impl Observer for Watch<'_> {
     fn phase(&mut self, phase: Phase) {
         self.close();
         self.phase = phase;
-        self.since = (Instant::now(), ProcessTime::now());
+        self.since = now(self.threads);
     }
 
     fn progress(&mut self, share: f64) {
@@ -239,11 +244,13 @@ fn point(
         samples: vec![],
         found: Err(NOT_RUN.to_owned()),
     };
+    let threads = options.threads.unwrap_or(1);
     while run.samples.len() < effort.repetitions.max(1) {
         let mut watch = Watch {
             sample: Sample::default(),
             phase: Phase::SetUp,
-            since: (Instant::now(), ProcessTime::now()),
+            since: now(threads),
+            threads,
             progress,
             share,
             interrupt,

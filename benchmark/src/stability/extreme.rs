@@ -1,12 +1,13 @@
 //! The stiff and extreme scenes: their rows, run side by side, and what a record keeps of them.
 
-use super::side_by_side::side_by_side;
 use crate::measure::{Spent, Stopwatch};
 use crate::record::details::{Details, GateDetail, gate};
 use crate::record::{Record, Row};
+use crate::side_by_side::side_by_side;
 use proctor_verification::stability::extreme::{Ending, Extreme, Finding, RowFault};
 use serde::{Deserialize, Serialize};
 use std::any::Any;
+use std::convert::Infallible;
 use std::panic::catch_unwind;
 
 /// Beginning of the names of its rows in a record.
@@ -38,10 +39,10 @@ pub fn try_all(
     rows: &[&'static Extreme],
     workers: usize,
     go: &(dyn Fn() -> bool + Sync),
-    each: impl FnMut(RowResult),
+    mut each: impl FnMut(RowResult),
 ) {
     let order: Vec<usize> = (0..rows.len()).collect();
-    let work = |row: &&'static Extreme| {
+    let work = |_, row: &&'static Extreme| {
         let mut stopwatch = Stopwatch::default();
         let outcome = stopwatch.time_thread(|| {
             catch_unwind(row.judge).unwrap_or_else(|panic| Err(RowFault(said(&*panic))))
@@ -52,7 +53,10 @@ pub fn try_all(
             spent: stopwatch.spent,
         }
     };
-    side_by_side(rows, &order, workers, go, work, each);
+    let Ok(()) = side_by_side(rows, &order, workers, go, work, |done| {
+        each(done);
+        Ok::<(), Infallible>(())
+    });
 }
 
 /// The message of a panic.

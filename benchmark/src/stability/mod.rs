@@ -5,7 +5,6 @@ mod detail;
 pub mod extreme;
 mod rows;
 mod run;
-mod side_by_side;
 
 pub use detail::{StabilityCell, StabilityDetail};
 pub use extreme::ExtremeDetail;

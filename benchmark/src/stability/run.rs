@@ -1,7 +1,7 @@
 //! The runs of the stability map, as many side by side as there are processors.
 
-use super::side_by_side::side_by_side;
 use crate::measure::{Spent, Stopwatch};
+use crate::side_by_side::side_by_side;
 use proctor_scene::{Dimension, StressScheme};
 use proctor_verification::case::{Gate, Size};
 use proctor_verification::settings::Method;
@@ -10,6 +10,7 @@ use proctor_verification::stability::map::{self, Entry};
 use proctor_verification::stability::nonlinear::{self, Limit, Nonlinear};
 use proctor_verification::stability::round::{self, RoundChoice, RoundEntry};
 use proctor_verification::stability::{StabilityError, table};
+use std::convert::Infallible;
 
 /// Amount of work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -159,7 +160,7 @@ pub fn run(
     jobs: &[Job],
     workers: usize,
     go: &(dyn Fn() -> bool + Sync),
-    each: impl FnMut(JobResult),
+    mut each: impl FnMut(JobResult),
 ) {
     // The longest begin first: those in space with the most particles.
     let mut order: Vec<usize> = (0..jobs.len()).collect();
@@ -169,7 +170,7 @@ pub fn run(
         }
         _ => usize::MAX,
     });
-    let work = |job: &Job| {
+    let work = |_, job: &Job| {
         let mut stopwatch = Stopwatch::default();
         let outcome = stopwatch.time_thread(|| job.solve());
         JobResult {
@@ -178,5 +179,8 @@ pub fn run(
             spent: stopwatch.spent,
         }
     };
-    side_by_side(jobs, &order, workers, go, work, each);
+    let Ok(()) = side_by_side(jobs, &order, workers, go, work, |done| {
+        each(done);
+        Ok::<(), Infallible>(())
+    });
 }

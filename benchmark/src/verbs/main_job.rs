@@ -3,7 +3,6 @@
 mod before;
 
 use super::Amount;
-use super::settings::processors;
 use super::stability::done as solve_stability;
 use crate::bench::Session;
 use crate::bench::config::{CommandLineChoices, Config};
@@ -23,6 +22,7 @@ use crate::show::paint::Paint;
 use crate::show::refine as show_refined;
 use crate::show::summary::{EarlierCases, Lines, Verdict, is_far};
 use crate::show::{case as full, precision as show_study, short, stability as show_stability};
+use crate::side_by_side::{processors, side_by_side};
 use crate::stability::{JobResult, MapRequest, jobs};
 use crate::suite::{self, CaseRun};
 use before::Before;
@@ -32,7 +32,7 @@ use proctor_scene::plan::PlanOptions;
 use proctor_scene::simulation::Options;
 use proctor_verification::case::{self, Gate, Size};
 use proctor_verification::stability::{map, nonlinear};
-use proctor_verification::study;
+use proctor_verification::study::{self, Study};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -190,7 +190,7 @@ fn whole() -> Whole {
     let each = STUDIES_SECONDS / studies.max(1) as f64;
     let weights = cases
         .chain([STABILITY_SECONDS / at_a_time])
-        .chain(std::iter::repeat_n(each, studies));
+        .chain(std::iter::repeat_n(each / at_a_time, studies));
     Whole::new("main job", weights.collect(), 1)
 }
 
@@ -298,7 +298,8 @@ impl Job<'_> {
         Ok((passed, [held, gates.len()]))
     }
 
-    /// Short studies of all cases that can be studied, on one thread.
+    /// Short studies of all cases that can be studied, as many at a time as there are processors, each on one thread: what a run
+    /// costs is its own time on a processor. `proctor precision` runs them one by one.
     fn precision(&mut self, record: &mut Record) -> Result<(), Failure> {
         let options = Options {
             threads: Some(1),
@@ -309,21 +310,39 @@ impl Job<'_> {
             repetitions: 1,
         };
         let amount = self.amount;
+        let studies = study::all();
+        // The longest begin first.
+        let mut order: Vec<usize> = (0..studies.len()).collect();
+        let seconds = |k: &usize| ladders::seconds(studies[*k].name(), Size::Quick);
+        order.sort_by(|a, b| seconds(b).total_cmp(&seconds(a)));
         let mut all: Vec<CaseStudy> = vec![];
-        for (number, study) in study::all().into_iter().enumerate() {
-            if self.stop.raised() {
-                break;
-            }
-            let (whole, part) = (&self.whole, case::all().len() + 1 + number);
-            let mut at = |share| whole.at(part, share);
-            let studied = study_run::run(study, effort, &options, self.stop.flag(), &mut at);
+        let stop = self.stop.clone();
+        let Self { whole, out, .. } = self;
+        let first = case::all().len() + 1;
+        let work = |number: usize, study: &Study| {
+            let mut at = |share| whole.at(first + number, share);
+            let studied = study_run::run(*study, effort, &options, stop.flag(), &mut at);
             at(1.0);
+            studied
+        };
+        let each = |studied: CaseStudy| -> Result<(), Failure> {
             record.push_study(&studied, 1);
             if amount.all() {
-                self.tell(|out| show_study::study(&studied, false, out))?;
+                progress::above(|| {
+                    show_study::study(&studied, false, out).and_then(|()| out.flush())
+                })?;
             }
             all.push(studied);
-        }
+            Ok(())
+        };
+        side_by_side(
+            &studies,
+            &order,
+            processors(),
+            &|| !stop.raised(),
+            work,
+            each,
+        )?;
         if amount.more_than_the_verdict() && !amount.all() && !all.is_empty() {
             let costs = Costs::all(record);
             let runs = all.iter().map(|studied| studied.runs.len()).sum();

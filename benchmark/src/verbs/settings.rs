@@ -2,6 +2,7 @@
 
 use crate::exit::Failure;
 use crate::say::say;
+use crate::side_by_side::processors;
 use clap::{Args, ValueEnum};
 use proctor_kernel::lanes::LaneChoice;
 use proctor_scene::simulation::Options;
@@ -64,11 +65,6 @@ pub fn bounded(asked_by: &str, threads: usize) -> Result<(), Failure> {
         );
     }
     Ok(())
-}
-
-/// Threads that the machine can run at once.
-pub fn processors() -> usize {
-    std::thread::available_parallelism().map_or(1, NonZeroUsize::get)
 }
 
 /// Vector lanes by name.

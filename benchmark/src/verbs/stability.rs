@@ -1,12 +1,12 @@
 //! `proctor stability`: where each method is stable, predicted and measured.
 
 use super::names;
-use super::settings::processors;
 use crate::exit::{Failure, Outcome};
 use crate::interrupt::Interrupt;
 use crate::progress::Progress;
 use crate::record::Record;
 use crate::show::{picture, stability as show};
+use crate::side_by_side::processors;
 use crate::stability::{self, JobResult, MapRequest, Outcome as JobOutcome};
 use clap::Args;
 use proctor_files::output::atomic;

@@ -3,7 +3,7 @@
 use crate::exit::{Failure, Outcome};
 use crate::interrupt::Interrupt;
 use crate::progress::Progress;
-use crate::verbs::settings::processors;
+use crate::side_by_side::processors;
 use proctor_files::json;
 use proctor_files::output::atomic;
 use proctor_scene::{Field, Scene};

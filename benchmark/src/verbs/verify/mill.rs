@@ -6,7 +6,7 @@ mod table;
 use crate::exit::{Failure, Outcome};
 use crate::interrupt::Interrupt;
 use crate::progress::Progress;
-use crate::verbs::settings::processors;
+use crate::side_by_side::processors;
 use proctor_files::output::atomic;
 use proctor_verification::mill::expected::Gate;
 use proctor_verification::mill::ladder::{Errors, Faults};
