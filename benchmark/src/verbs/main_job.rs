@@ -215,7 +215,7 @@ impl Job<'_> {
                 }
                 writeln!(
                     out,
-                    "Cases with exact answers: {workers} at a time, each on one thread. What comes after them runs alone.\n"
+                    "Cases with exact answers: {workers} at a time, each on one thread, as the map and the studies below.\nSpeed is measured alone.\n"
                 )
             })?;
         }
