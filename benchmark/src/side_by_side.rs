@@ -105,7 +105,7 @@ mod tests {
         let done = AtomicUsize::new(0);
         let go = || done.load(Ordering::Relaxed) < 2;
         let mut heard = vec![];
-        let work = |k, _: &()| {
+        let work = |k, (): &()| {
             done.fetch_add(1, Ordering::Relaxed);
             k
         };

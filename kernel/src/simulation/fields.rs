@@ -2,9 +2,10 @@
 //!
 //! All fields are equal: each has mass, momentum and force at its nodes, and one equation of motion serves them all. The
 //! first is that of the phase, which all bodies share that have none of their own. A body has a field of its own where
-//! contact asks for it. Its memory is that of the nodes which the body touches; the rest is never committed. All fields
-//! are cut into the same slabs, so that whoever owns a slab owns all fields of its nodes.
+//! contact asks for it. Its memory is that of the nodes which the body touches; the rest is never committed, and goes back where
+//! a body has left most of it. All fields are cut into the same slabs, so that whoever owns a slab owns all fields of its nodes.
 
+use super::touched_nodes::TouchedNodes;
 use crate::grid::{ActiveRows, GridShape, Line, Nodes};
 use crate::lanes::SelectedLanes;
 use crate::particles::ParticleSet;
@@ -96,6 +97,7 @@ pub struct Grid {
     pub team: Arc<Team>,
     /// True where bodies have water in their pores.
     pub has_water: bool,
+    pub(super) touched: TouchedNodes,
     least_share: usize,
     sorter: Sorter,
     cutting: PlaneCounts,
@@ -170,6 +172,7 @@ impl Grid {
             shape,
             team,
             has_water: false,
+            touched: TouchedNodes::default(),
             least_share: least_share.unwrap_or(LEAST_SHARE).max(1),
             sorter: Sorter::default(),
             cutting: PlaneCounts::default(),
@@ -191,6 +194,13 @@ impl Grid {
         };
         let rows = &mut self.fields[0].rows;
         (self.sorter).sort(sets, &self.shape, reach, lanes, team, rows);
+        if self.touched.add(rows, &self.shape) {
+            for field in &mut self.fields {
+                // Old memory first.
+                field.nodes = Nodes::new(0);
+                field.nodes = Nodes::new(self.shape.nodes.iter().product());
+            }
+        }
         self.cut(sets);
     }
 

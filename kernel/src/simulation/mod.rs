@@ -31,6 +31,7 @@ mod state;
 mod step;
 mod step_view;
 mod tension;
+mod touched_nodes;
 mod values;
 mod water;
 mod work_state;

@@ -8,6 +8,8 @@ use super::motion::{
     SlabInteractions, fold, solve, solve_mapped, solve_remapped, sums_after, total,
 };
 use super::phase::{Phase, PhaseTimer};
+use crate::grid::Line;
+use crate::memory::Memory;
 use crate::particles::ParticleSet;
 use crate::simulation::context::{NodalConditions, Remap, StepContext, VelocityMapping};
 use crate::simulation::fields::{Grid, shares};
@@ -93,6 +95,18 @@ impl Cycle {
         }
         self.work.phase_timer.end(Phase::Sort);
         stale
+    }
+
+    /// Asks the system for the memory of nodes that particles reach since a sort, where they have become many more: without it a
+    /// process ends without a word.
+    pub(super) fn ask_for_nodes(&mut self) -> Result<(), StepError> {
+        let Some(nodes) = self.work.grid.touched.growth() else {
+            return Ok(());
+        };
+        let bytes = nodes as f64 * (size_of::<Line>() * self.work.grid.fields.len()) as f64;
+        Memory::of_machine()
+            .require(format!("{nodes} more nodes that particles reach"), bytes)
+            .map_err(|error| self.error(StepErrorKind::Memory(error)))
     }
 
     /// True if P2G is a pass of its own, since an interaction or a condition reads the nodes before the equation of motion.
@@ -243,6 +257,7 @@ impl Cycle {
             Remap::OldPositions => Carry::Remap,
             Remap::NewPositions => {
                 if self.sort_if_stale() {
+                    self.ask_for_nodes()?;
                     // A sort may give a driven body a field, or take it.
                     self.work.nodal = std::mem::take(nodal);
                     *nodal = self.nodal_conditions(self.work.nodal.drift);

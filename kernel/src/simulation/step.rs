@@ -73,7 +73,9 @@ impl Cycle {
 
     /// The cycle of a step.
     fn cycle(&mut self, stop: f64) -> Result<StepInfo, StepError> {
-        self.sort_if_stale();
+        if self.sort_if_stale() {
+            self.ask_for_nodes()?;
+        }
         self.evaluate_body_force();
         if self.has_separate_p2g() {
             self.p2g();

@@ -22,6 +22,7 @@ mod fluids;
 mod free_ground;
 mod hencky;
 mod initial_stress;
+mod large_grid;
 mod left_behind;
 mod limits;
 mod loads;

@@ -1,9 +1,10 @@
 //! Memory budget: parts of a simulation take their share of the free memory before they are allocated.
 //!
-//! Estimates, on the high side: what an array holds, and a copy where a sort or a checkpoint makes one. What bodies with
-//! velocity fields of their own touch of the grid later, as they travel, is not foreseen.
+//! Estimates, on the high side: what an array holds, and a copy where a sort or a checkpoint makes one. The grid is counted as
+//! far as bodies reach at the start, since the system commits the rest when it is first written; a step asks for what they
+//! reach later, as they travel.
 
-use crate::values::{Field, Scene};
+use crate::values::{Body, Field, Scene};
 use proctor_geometry::bodies::{self, FILLED, FillError, MemoryRoom};
 use proctor_geometry::memory::{Memory, OutOfMemory, in_one_piece};
 use proctor_kernel::grid::{GridShape, Line};
@@ -30,18 +31,40 @@ pub(super) fn grid(
     shape: &GridShape,
     memory: &mut Memory,
 ) -> Result<(), SetupError> {
-    let nodes = nodes(shape);
+    let (nodes, reached) = (nodes(shape), reached(scene, shape));
     let rows = shape.nodes[0] as f64 * shape.nodes[1] as f64;
     let fields = 1.0 + bodies_with_fields(scene).len() as f64;
     // Which fields move together, and forces of pairs in each plane.
     let pairs = scene.contacts.len() as f64 * shape.nodes[0] as f64 * size_of::<[f64; 4]>() as f64;
-    let needed = nodes * size_of::<Line>() as f64 + fields * rows * ROW + fields * fields + pairs;
+    let needed = reached * size_of::<Line>() as f64 + fields * rows * ROW + fields * fields + pairs;
     let what = format!("a grid of {nodes} nodes, those around the mesh included,");
-    let piece = nodes * size_of::<Line>() as f64;
-    memory
-        .take(&what, needed)
-        .and_then(|()| handed_out(what, piece))
+    handed_out(what.clone(), nodes * size_of::<Line>() as f64)
+        .and_then(|()| {
+            let what = format!("{what} of which bodies reach {reached}");
+            memory.take(what, needed)
+        })
         .map_err(|error| at(MESH, error))
+}
+
+/// Nodes that bodies reach at the start: those in the boxes around them, all where a body has none.
+pub(super) fn reached(scene: &Scene, shape: &GridShape) -> f64 {
+    let of_body = |body: &Body| {
+        (body.shape.bounds()).map_or(f64::INFINITY, |[low, high]| in_box(shape, low, high))
+    };
+    let bodies: f64 = scene.bodies.iter().map(of_body).sum();
+    bodies.min(nodes(shape))
+}
+
+/// Nodes that particles between two corners \[m\] reach until the next sort, in whole pages.
+fn in_box(shape: &GridShape, low: [f64; 3], high: [f64; 3]) -> f64 {
+    let mut length = [1.0; 3];
+    for axis in 0..shape.axes {
+        let direction = shape.direction(axis);
+        let cells = (high[axis] - low[axis]).max(0.0) / shape.cell[axis];
+        length[direction] = (cells.ceil() + 1.0 + 2.0 * REACH).min(shape.nodes[direction] as f64);
+    }
+    let in_row = length[2] + PAGE / size_of::<Line>() as f64;
+    length[0] * length[1] * in_row
 }
 
 /// Checks that the system gives so many bytes in one piece.
@@ -91,28 +114,26 @@ pub(super) fn layers(
     sets: &[ParticleSet],
     memory: &mut Memory,
 ) -> Result<(), SetupError> {
-    let whole = nodes(shape) * size_of::<Line>() as f64;
+    let line = size_of::<Line>() as f64;
     for body in bodies_with_fields(scene) {
-        let mut length = [1.0; 3];
+        let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
         for axis in 0..shape.axes {
-            let x = &sets[body].columns[Layout::POSITION + axis];
-            let (low, high) = x
-                .iter()
-                .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
-                    (low.min(*x), high.max(*x))
-                });
-            let direction = shape.direction(axis);
-            let extent = (high - low).max(0.0) / shape.cell[axis] + 1.0 + 2.0 * REACH;
-            length[direction] = extent.min(shape.nodes[direction] as f64);
+            for x in &sets[body].columns[Layout::POSITION + axis] {
+                (low[axis], high[axis]) = (low[axis].min(*x), high[axis].max(*x));
+            }
         }
-        let row = length[2] * size_of::<Line>() as f64 + PAGE;
-        let touched = (length[0] * length[1] * row).min(whole);
+        let touched = in_box(shape, low, high).min(nodes(shape));
         let name = &scene.bodies[body].name;
         // Two lines per node, each in an array that is asked for whole.
-        memory
-            .require(format!("a velocity field of \"{name}\""), whole)
-            .and_then(|()| memory.take(format!("the velocity field of \"{name}\""), 2.0 * touched))
-            .map_err(|error| at(MESH, error))?;
+        handed_out(
+            format!("a velocity field of \"{name}\""),
+            nodes(shape) * line,
+        )
+        .and_then(|()| {
+            let what = format!("the velocity field of \"{name}\"");
+            memory.take(what, 2.0 * touched * line)
+        })
+        .map_err(|error| at(MESH, error))?;
     }
     Ok(())
 }

@@ -1,6 +1,6 @@
 //! Memory estimate of a scene, made before anything is allocated.
 
-use super::memory_budget::{expected, nodes};
+use super::memory_budget::{expected, nodes, reached};
 use crate::plan::{PlanOptions, plan};
 use crate::values::Scene;
 use proctor_kernel::grid::{GridShape, Line};
@@ -12,7 +12,7 @@ pub struct MemoryEstimate {
     pub particles: f64,
     /// Nodes, those around the mesh included.
     pub nodes: f64,
-    /// Bytes that these need.
+    /// Bytes that the particles need, and the nodes that they reach at the start.
     pub bytes: f64,
 }
 
@@ -20,12 +20,12 @@ pub struct MemoryEstimate {
 #[must_use]
 pub fn estimate_memory(scene: &Scene) -> MemoryEstimate {
     let plan = plan(scene, PlanOptions::default());
-    let nodes = nodes(&GridShape::new(&scene.mesh, scene.dimension));
+    let shape = GridShape::new(&scene.mesh, scene.dimension);
     let bodies = expected(scene, &plan);
     MemoryEstimate {
         particles: bodies.iter().map(|(count, _)| count).sum(),
-        nodes,
-        bytes: nodes * size_of::<Line>() as f64
+        nodes: nodes(&shape),
+        bytes: reached(scene, &shape) * size_of::<Line>() as f64
             + bodies.iter().map(|(_, bytes)| bytes).sum::<f64>(),
     }
 }

@@ -240,6 +240,8 @@ pub enum StepErrorKind {
         /// Its porosity.
         porosity: f64,
     },
+    /// Particles reach nodes for which there is no memory.
+    Memory(OutOfMemory),
     /// A cpGIMP domain grew beyond one cell, where the weights are no longer a partition of unity.
     DomainTooLarge {
         /// Half-length in cells.
@@ -381,6 +383,7 @@ impl fmt::Display for StepError {
                 "{particle} has a porosity of {porosity}; accepted: from {} to {}",
                 POROSITIES[0], POROSITIES[1]
             ),
+            StepErrorKind::Memory(error) => write!(f, "{error}"),
             StepErrorKind::DomainTooLarge { half_length } => write!(
                 f,
                 "a particle domain has a half-length of {half_length} cells; cpGIMP needs at most 1"

@@ -165,6 +165,7 @@ fn is_blow_up(kind: &StepErrorKind) -> bool {
             | StepErrorKind::OffAbsorbingPlane { .. }
             | StepErrorKind::Porosity { .. }
             | StepErrorKind::DomainTooLarge { .. }
+            | StepErrorKind::Memory(_)
     )
 }
 
