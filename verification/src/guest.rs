@@ -8,8 +8,10 @@
 mod plane;
 mod reading;
 pub(crate) mod start;
+mod stress;
 
 pub use reading::{ReadValue, Reading};
+pub use stress::ExactStress;
 
 use proctor_scene::{
     Dimension, Field, Mesh, PlaneCondition, PointLoad, Results, Scene, Shape, TimeStep, Traction,
@@ -72,10 +74,12 @@ pub struct Guest {
     pub tractions: Vec<Traction>,
     /// The number that is reported instead of an error, where no field of particles is exact.
     pub reading: Option<Reading>,
+    /// The exact stress, where frames that hold stresses have a second error.
+    pub stress: Option<ExactStress>,
 }
 
 /// A frame of a solver, as far as it is compared.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Snapshot {
     /// Time of the field \[s\].
     pub time: f64,
@@ -83,6 +87,11 @@ pub struct Snapshot {
     pub starts: Vec<Vector>,
     /// The field that is compared.
     pub values: Vec<Vector>,
+    /// Displacements \[m\].
+    pub displacements: Vec<Vector>,
+    /// Cauchy stresses, tension positive \[Pa\]: xx, yy, zz, yz, xz, xy; NaN where a frame lacks a component. None where it
+    /// holds no stresses.
+    pub stresses: Vec<[f64; 6]>,
 }
 
 impl Guest {
@@ -101,6 +110,7 @@ impl Guest {
             exact: Box::new(move |starts, t| starts.iter().map(|x| exact(x, t)).collect()),
             tractions: vec![],
             reading: None,
+            stress: None,
         }
     }
 

@@ -39,6 +39,7 @@ mod sound;
 mod special;
 mod step_bar;
 mod sudden_weight;
+mod swirl;
 mod thick_wall;
 mod turned;
 mod two_phase_column;

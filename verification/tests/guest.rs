@@ -41,9 +41,12 @@ fn frames(guest: &Guest) -> Vec<Snapshot> {
                 .unwrap_or_else(|error| panic!("{error}"));
         }
         let (mut starts, mut values) = (vec![], vec![]);
+        let (mut displacements, mut stresses) = (vec![], vec![]);
         for (body, set) in simulation.sets().iter().enumerate() {
             for p in 0..set.len() {
                 starts.push(simulation.initial_position(body, p).expect("kept"));
+                displacements.push(simulation.displacement(body, p).expect("kept"));
+                stresses.push(set.stress(p));
                 values.push(match guest.compared {
                     ComparedField::Displacement => simulation.displacement(body, p).expect("kept"),
                     ComparedField::Velocity => set.velocity(p),
@@ -59,6 +62,8 @@ fn frames(guest: &Guest) -> Vec<Snapshot> {
             time,
             starts,
             values,
+            displacements,
+            stresses,
         });
     }
     frames
@@ -78,7 +83,7 @@ fn every_study_hands_over_a_scene_that_can_be_written_or_says_why_not() {
             }
         }
     }
-    assert!(open.len() >= 18, "{open:?}");
+    assert!(open.len() >= 20, "{open:?}");
     assert!(
         open.contains("collapse") && open.contains("footing"),
         "{open:?}"
@@ -129,6 +134,8 @@ fn this_kernel_comes_near_the_exact_solutions() {
         ("bar-energy", 0.1),
         // Two per cent at four times as many cells, and order 1.
         ("plastic-wave", 0.15),
+        // As the swing along both axes, with twice as many cells.
+        ("vortex", 0.05),
     ] {
         let (guest, rung) = guest(case);
         let error = guest
@@ -139,10 +146,87 @@ fn this_kernel_comes_near_the_exact_solutions() {
     }
 }
 
+/// Stresses are of order 1 at least: four times the bound of the displacement, which is of order 2.
+#[test]
+fn cases_with_an_error_of_the_stress_have_it_for_other_solvers() {
+    let mut held = vec![];
+    for study in study::open() {
+        let measures = study.measures();
+        let Ok(guest) = study.guest(&study.path(Size::Quick)[0]) else {
+            continue;
+        };
+        // Stresses and velocities are of times half a step apart.
+        let is_studied = measures.iter().any(|measure| measure.word == "stress")
+            && guest.compared == ComparedField::Displacement;
+        assert_eq!(guest.stress.is_some(), is_studied, "{}", study.name());
+        if is_studied {
+            held.push(study.name());
+        }
+    }
+    let wanted = [
+        "boussinesq",
+        "bar",
+        "axis-aligned",
+        "axis-aligned-3d",
+        "self-weight",
+        "vortex",
+        "step-bar",
+        "sudden-weight",
+        "staggered-start",
+    ];
+    assert_eq!(held, wanted);
+    for (case, bound) in [
+        ("boussinesq", 0.2),
+        ("self-weight", 0.2),
+        ("step-bar", 0.24),
+        ("sudden-weight", 0.08),
+        ("bar", 0.24),
+        ("axis-aligned", 0.4),
+        ("staggered-start", 0.08),
+        ("vortex", 0.2),
+    ] {
+        let (guest, rung) = guest(case);
+        let mut frames = frames(&guest);
+        let error = guest.stress_error(&frames).expect("an error");
+        println!("{case}, {}: {error:.3e} of the stress", rung.label);
+        assert!(error < bound, "{case}, {}: {error:.3e}", rung.label);
+        // Half of each stress is half of error, but for what was off before.
+        for stress in frames.iter_mut().flat_map(|f| &mut f.stresses) {
+            *stress = stress.map(|s| 0.5 * s);
+        }
+        let halved = guest.stress_error(&frames).expect("an error");
+        assert!(halved > 0.3, "{case}: {halved}");
+        for frame in &mut frames {
+            frame.stresses.clear();
+        }
+        assert_eq!(guest.stress_error(&frames), None, "{case}");
+    }
+}
+
+/// A stress that is off by a half of one component, and frames that lack another one.
+#[test]
+fn components_that_frames_lack_do_not_count() {
+    let guest = moved(Norm::L2, true).with_stress(|_, _| [2.0, 2.0, 1.0, 0.0, 0.0, 0.0]);
+    let of = |stress: [f64; 6]| {
+        let frame = Snapshot {
+            stresses: vec![stress, [99.0; 6]],
+            // The second particle does not count.
+            ..frame(&[(0.0, [0.0; 3]), (0.9, [0.0; 3])])
+        };
+        guest.stress_error(&[frame])
+    };
+    let off = of([2.0, 1.0, 1.0, 0.0, 0.0, 0.0]).expect("an error");
+    assert!((off - 1.0 / 3.0).abs() < 1e-12, "{off}");
+    let nan = f64::NAN;
+    let off = of([2.0, 1.0, nan, nan, nan, nan]).expect("an error");
+    assert!((off - (1.0_f64 / 8.0).sqrt()).abs() < 1e-12, "{off}");
+    assert_eq!(of([nan; 6]), None);
+}
+
 /// Order 2, less a half for coarse meshes.
 #[test]
 fn own_lines_of_a_cube_and_a_column_converge() {
-    for case in ["axis-aligned-3d", "self-weight"] {
+    for case in ["axis-aligned-3d", "self-weight", "vortex"] {
         converges(case);
     }
 }
@@ -214,6 +298,7 @@ fn frame(values: &[(f64, Vector)]) -> Snapshot {
         time: 1.0,
         starts: values.iter().map(|(x, _)| [*x, 0.0, 0.0]).collect(),
         values: values.iter().map(|(_, value)| *value).collect(),
+        ..Snapshot::default()
     }
 }
 

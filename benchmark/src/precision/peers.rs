@@ -101,6 +101,8 @@ pub struct PeerRun {
     pub particles: Option<usize>,
     /// Relative error of the first measure of the study, or why there is none.
     pub error: Result<f64, String>,
+    /// Relative error of the stress, where the case has one and its frames hold stresses.
+    pub stress: Option<f64>,
     /// Its report, where the case is open as one.
     pub reported: Option<ReadValue>,
 }
@@ -126,6 +128,18 @@ impl PeerRun {
 }
 
 impl PeerLine {
+    /// The line with the error of the stress in the place of the first one; none where no frame held stresses.
+    #[must_use]
+    pub fn of_stress(&self) -> Option<Self> {
+        let missing = || "its frames hold no stresses".to_owned();
+        let mut line = self.clone();
+        for run in &mut line.runs {
+            run.error = run.stress.ok_or_else(missing);
+        }
+        let held = self.runs.iter().any(|run| run.stress.is_some());
+        held.then_some(line)
+    }
+
     /// True where a finer run would take too long, or end as the last one did.
     fn is_done(&self, longest: Option<Duration>) -> bool {
         self.runs.last().is_some_and(|run| {
@@ -280,6 +294,7 @@ pub fn run(study: Study, peers: &[Peer], visit: &Visit<'_>) -> Result<Vec<PeerLi
                 samples: vec![],
                 particles: None,
                 error: Err(String::new()),
+                stress: None,
                 reported: None,
             };
             match peer.trusted(&guest.scene) {
@@ -306,6 +321,7 @@ pub fn run(study: Study, peers: &[Peer], visit: &Visit<'_>) -> Result<Vec<PeerLi
                                     format!("{}-against-exact.vtu", key(&peer.executable.name));
                                 keep_fields(guest, last, &folder.join(name))?;
                             }
+                            run.stress = guest.stress_error(&frames);
                             guest.error(&frames).and_then(useful)
                         });
                 }

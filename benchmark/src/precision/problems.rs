@@ -70,17 +70,21 @@ fn problem(
         return to_report(name, guest, reading, folder);
     }
     let (what, unit) = compared(guest);
-    let mut table = format!("time_s,x_m,y_m,z_m,{what}_x,{what}_y,{what}_z\n");
+    let mut table = format!("time_s,x_m,y_m,z_m,{what}_x,{what}_y,{what}_z");
+    if guest.stress.is_some() {
+        table.push_str(",stress_xx,stress_yy,stress_zz,stress_yz,stress_xz,stress_xy");
+    }
+    table.push('\n');
     for frame in frames {
-        for (start, exact) in frame
-            .starts
-            .iter()
-            .zip((guest.exact)(&frame.starts, frame.time))
-        {
+        let exact = (guest.exact)(&frame.starts, frame.time);
+        let of_stress = guest.stress.as_ref();
+        let stresses = of_stress.map_or_else(Vec::new, |f| f(&frame.starts, frame.time));
+        for (i, (start, exact)) in frame.starts.iter().zip(exact).enumerate() {
             let numbers: Vec<String> = [frame.time]
                 .iter()
                 .chain(start)
                 .chain(&exact)
+                .chain(stresses.get(i).into_iter().flatten())
                 .map(ToString::to_string)
                 .collect();
             let _ = writeln!(table, "{}", numbers.join(","));
@@ -95,13 +99,23 @@ fn problem(
             format!("the mean over the particles along axis {axis}, less the exact one, over it")
         }
     };
+    let second = if guest.stress.is_some() {
+        " and the stress (Pa, tension positive)"
+    } else {
+        ""
+    };
+    let columns = if guest.stress.is_some() {
+        ", and `Stress_XX` to `Stress_XY` for a second error, which has no bound"
+    } else {
+        ""
+    };
     let text = format!(
         "# {name}, {label}\n\n{question}\n\n\
          - `scene.json`: the problem, SI units; `proctor keys WORD` explains its words.\n\
-         - `exact.csv`: the exact {what} ({unit}) of particles that began at x, y, z, at each time.\n\
+         - `exact.csv`: the exact {what} ({unit}){second} of particles that began at x, y, z, at each time.\n\
          - Norm: {norm}.\n\
-         - Frames are `.vtu` files with point data `Displacement` (m) and, for velocities, `Velocity` (m/s), with a `.pvd` of\n  \
-         their times.\n\
+         - Frames are `.vtu` files with point data `Displacement` (m) and, for velocities, `Velocity` (m/s){columns}, with a\n  \
+         `.pvd` of their times.\n\
          - Judged by `proctor judge {name} FRAMES --run {key}`; bound: `--bound`, else 1 %.\n",
         name = study.name(),
         label = rung.label,
@@ -127,7 +141,10 @@ fn to_report(
         ComparedField::Stress => {
             "`Displacement` (m) and `Stress_XX` and `Stress_YY` (Pa, tension positive)"
         }
-        ComparedField::Displacement | ComparedField::Velocity => "`Displacement` (m)",
+        ComparedField::Velocity => {
+            "`Displacement` (m), `Velocity` (m/s) and `Stress_XX` to `Stress_XY` (Pa, tension positive)"
+        }
+        ComparedField::Displacement => "`Displacement` (m)",
     };
     let text = format!(
         "# {name}, {label}\n\n{question}\n\n\
@@ -144,17 +161,31 @@ fn to_report(
     std::fs::write(folder.join("README.md"), text)
 }
 
-/// The relative error of frames that lie in a folder, on a run of a case; what is reported, where it has no exact field.
+/// Findings on frames that lie in a folder.
+pub struct Judged {
+    /// Relative error.
+    pub error: f64,
+    /// That of the stress, where the case has one and the frames hold stresses.
+    pub stress: Option<f64>,
+    /// The number that is reported, where the case has no exact field.
+    pub reported: Option<ReadValue>,
+}
+
+/// Judges frames that lie in a folder, on a run of a case.
 ///
 /// # Errors
-/// If there is none.
-pub fn judge(study: Study, rung: &Rung, frames: &Path) -> Result<(f64, Option<ReadValue>), String> {
+/// If they have no error.
+pub fn judge(study: Study, rung: &Rung, frames: &Path) -> Result<Judged, String> {
     let guest = study.guest(rung)?;
     let handed = GuestScene::new(&guest)?;
     let own = own().ok_or("this program does not know its own file")?;
     let frames = handed.read(&guest, own.time_label, &CALIBRATED, frames)?;
     let reported = guest.reading.as_ref().map(|reading| reading.of(&frames));
-    Ok((guest.error(&frames)?, reported.transpose()?))
+    Ok(Judged {
+        error: guest.error(&frames)?,
+        stress: guest.stress_error(&frames),
+        reported: reported.transpose()?,
+    })
 }
 
 /// Writes exact values and the error of each particle beside the frames of a solver, for its last frame.

@@ -3,7 +3,7 @@
 use super::choices::Choice;
 use super::findings::{Findings, LEVELS};
 use super::peers::{PeerLine, PeerRun};
-use super::run::{CaseStudy, Run, Sample, minimum_and_median};
+use super::run::{CaseStudy, Run, STRESS, Sample, minimum_and_median};
 use crate::record::{LADDER, Record, Row, key};
 use proctor_verification::settings::Method;
 use proctor_verification::study::Study;
@@ -140,8 +140,13 @@ fn blank_row(
 }
 
 /// A run of another solver in the columns of [`csv`]; it has a process and no settings.
-fn peer_values(studied: &CaseStudy, peer: &PeerLine, run: &PeerRun) -> [String; 21] {
-    let measure = studied.study.measures().first().map(|m| m.word);
+fn peer_values(
+    studied: &CaseStudy,
+    measure: usize,
+    peer: &PeerLine,
+    run: &PeerRun,
+) -> [String; 21] {
+    let measure = studied.study.measures().get(measure).map(|m| m.word);
     let mut values: [String; 21] = Default::default();
     studied.study.name().clone_into(&mut values[0]);
     values[1] = peer.method.clone().unwrap_or_default();
@@ -185,6 +190,9 @@ pub(crate) fn peer_rows(study: Study, peer: &PeerLine, run: &PeerRun, threads: u
             (Ok(_), Some(measure), Some(reported)) => row.report(measure.word, reported),
             (Ok(error), Some(measure), None) => {
                 row.count(format!("error_{}", measure.word), *error);
+                if let Some(error) = run.stress {
+                    row.count(format!("error_{STRESS}"), error);
+                }
             }
             (Ok(_), None, _) => {}
             (Err(reason), _, _) => row.fail(reason.clone()),
@@ -266,9 +274,11 @@ pub fn csv(studied: &CaseStudy, heading: bool, out: &mut dyn std::io::Write) -> 
             ])?;
         }
     }
-    for peer in &studied.peers {
-        for run in &peer.runs {
-            table.write_record(peer_values(studied, peer, run))?;
+    for measure in 0..studied.study.measures().len() {
+        for peer in studied.peers_of(measure) {
+            for run in &peer.runs {
+                table.write_record(peer_values(studied, measure, &peer, run))?;
+            }
         }
     }
     table.flush()?;

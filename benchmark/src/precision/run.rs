@@ -15,6 +15,9 @@ pub(super) const LONG: Duration = Duration::from_secs(2);
 /// Relative error above which a result says less than no answer at all would, so that the run counts as failed.
 pub const USELESS: f64 = 1.0;
 
+/// Word of the error of the stress among those of a study.
+pub(super) const STRESS: &str = "stress";
+
 /// Word for a run that did not take place.
 const NOT_RUN: &str = "not run";
 
@@ -35,6 +38,17 @@ pub struct CaseStudy {
 }
 
 impl CaseStudy {
+    /// Lines of other solvers for an error of the study: all for the first, for that of the stress those whose frames hold
+    /// stresses.
+    #[must_use]
+    pub fn peers_of(&self, measure: usize) -> Vec<PeerLine> {
+        match self.study.measures().get(measure).map(|m| m.word) {
+            _ if measure == 0 => self.peers.clone(),
+            Some(STRESS) => self.peers.iter().filter_map(PeerLine::of_stress).collect(),
+            _ => vec![],
+        }
+    }
+
     /// Run time of a run by its number \[s\]: the stepping loop of the fastest repetition. On one thread it is the time
     /// on the processor, which other work on the machine does not lengthen; on several, by the clock.
     #[must_use]

@@ -146,7 +146,7 @@ pub struct PlanDetail {
 fn caption(studied: &CaseStudy, measure: usize) -> String {
     let methods = "Error against the time of the stepping loop. Lines refine the mesh, dots change the Courant number or \
                    the particles per cell, the broad band joins the runs that no other beats in both.";
-    if studied.peers.is_empty() || measure > 0 {
+    if studied.peers_of(measure).is_empty() {
         methods.to_owned()
     } else {
         format!(
@@ -267,7 +267,7 @@ impl Details {
                                 measure.word
                             ),
                             &best,
-                            if number == 0 { &studied.peers } else { &[] },
+                            &studied.peers_of(number),
                         ),
                     },
                 ],

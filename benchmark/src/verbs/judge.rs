@@ -3,7 +3,7 @@
 use super::names;
 use crate::exit::{Failure, Outcome};
 use crate::precision::bounds::Bound;
-use crate::precision::problems;
+use crate::precision::problems::{self, Judged};
 use crate::record::key;
 use crate::show::{arena as show, percent};
 use clap::Args;
@@ -18,7 +18,8 @@ const BOUND: f64 = 0.01;
 /// Judge frames that a solver left, without running it.
 ///
 /// The frames are those of a problem that `proctor export --format problems DIR` has written: `.vtu` files with point data
-/// `Displacement`, and `Velocity` where a case compares it, with a `.pvd` of their times. Nothing is known of the solver: no
+/// `Displacement`, and `Velocity` where a case compares it, with a `.pvd` of their times; with `Stress_XX` to `Stress_XY` some cases
+/// have a second error. Nothing is known of the solver: no
 /// free fall says whether its times are those of its particles.
 #[derive(Args)]
 #[command(after_help = "Example: proctor judge step-bar frames --run l_h_32 --bound 2%")]
@@ -69,7 +70,11 @@ impl Judge {
             )));
         };
         let bound = self.bound.as_deref().map(share).transpose()?;
-        let (error, reported) = problems::judge(*study, rung, &self.frames)
+        let Judged {
+            error,
+            stress,
+            reported,
+        } = problems::judge(*study, rung, &self.frames)
             .map_err(|reason| Failure::BadInput(format!("{}: {reason}", self.frames.display())))?;
         if let Some(reported) = reported {
             let words = show::reported(&reported);
@@ -98,6 +103,10 @@ impl Judge {
             percent(error),
             percent(bound)
         )?;
+        if let Some(stress) = stress {
+            let found = percent(stress);
+            writeln!(out, "      and of the stress {found}, without a bound")?;
+        }
         Ok(if holds {
             Outcome::Fine
         } else {

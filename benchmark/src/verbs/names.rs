@@ -35,9 +35,16 @@ pub fn chosen<T: Copy>(
 pub fn studies(names: &[String]) -> Result<Vec<Study>, Failure> {
     for name in names {
         let case = case::all().iter().find(|case| case.name() == name);
-        if let Some(Err(reason)) = case.map(|case| case.studied().map(|_| ())) {
+        if let Some(case) = case
+            && let Err(reason) = case.studied()
+        {
+            let others = if case.open().is_empty() {
+                ""
+            } else {
+                ", and `proctor arena` with other solvers"
+            };
             return Err(Failure::BadInput(format!(
-                "{name}: there is no study of it: {reason}; `proctor verify {name}` runs it"
+                "{name}: there is no study of it: {reason}; `proctor verify {name}` runs it{others}"
             )));
         }
     }
@@ -48,7 +55,13 @@ pub fn studies(names: &[String]) -> Result<Vec<Study>, Failure> {
 pub fn open(names: &[String]) -> Result<Vec<Study>, Failure> {
     let is_open = |name: &String| study::open().iter().any(|study| study.name() == name);
     for name in names.iter().filter(|name| !is_open(name)) {
-        studies(std::slice::from_ref(name))?;
+        let case = case::all().iter().find(|case| case.name() == name);
+        if let Some(case) = case.filter(|case| case.open().is_empty()) {
+            return Err(Failure::BadInput(format!(
+                "{name}: not for other solvers: {}; `proctor verify {name}` runs it",
+                case.why_closed()
+            )));
+        }
     }
     chosen(names, &study::open(), "case", |study| study.name())
 }

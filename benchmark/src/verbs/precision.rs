@@ -15,7 +15,7 @@ use crate::show::{figures, precision as show};
 use clap::Args;
 use proctor_files::output::atomic;
 use proctor_kernel::lanes::SelectedLanes;
-use proctor_verification::case::Size;
+use proctor_verification::case::{self, Size};
 use proctor_verification::study;
 use std::io::Write;
 use std::num::NonZeroUsize;
@@ -81,7 +81,11 @@ pub struct Precision {
 impl Precision {
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
         if self.guests {
-            show::guests::list(&names::open(&self.cases)?, out)?;
+            let all = case::all().iter().copied();
+            let without: Vec<_> = all
+                .filter(|case| self.cases.is_empty() && case.open().is_empty())
+                .collect();
+            show::guests::list(&names::open(&self.cases)?, &without, out)?;
             return Ok(Outcome::Fine);
         }
         let studies = names::studies(&self.cases)?;

@@ -196,7 +196,7 @@ fn bad_input_of_an_arena_is_told_before_anything_runs() {
         (
             plain.clone(),
             "yielding-column",
-            "yielding-column: there is no study of it: its answer depends on the way",
+            "yielding-column: not for other solvers: its answer depends on the way",
         ),
         (plain.clone(), "hertz", "hertz: not for other solvers: "),
         (json!({}), "step-bar", "executables: found none"),

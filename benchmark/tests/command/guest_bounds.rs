@@ -124,10 +124,18 @@ fn the_list_says_which_cases_are_open_and_what_each_needs() {
         "{text}"
     );
     assert!(line("plastic-wave").contains("plasticity"), "{text}");
-    assert!(text.contains("cases are open to other solvers"), "{text}");
+    assert!(
+        text.contains("problems are open to other solvers"),
+        "{text}"
+    );
     // Two of them as reports: what a solver writes for the second stands in its line.
     assert!(
         line("footing").ends_with("stresses") && line("collapse").contains("2D or 3D"),
+        "{text}"
+    );
+    assert!(
+        line("sphere-on-terrain").ends_with("an STL surface, stresses")
+            && line("vortex").ends_with("2D or 3D, several bodies"),
         "{text}"
     );
     let (_, reports) = text.split_once("\nReports: ").expect("reports");
@@ -138,6 +146,73 @@ fn the_list_says_which_cases_are_open_and_what_each_needs() {
     assert!(
         text.lines().all(|line| line.chars().count() <= 80),
         "{text}"
+    );
+}
+
+/// A case that `verify` knows is known: its study is missing for a reason, and so are other solvers.
+#[test]
+fn a_case_without_a_study_or_without_other_solvers_says_why() {
+    let desk = Desk::new();
+    let config = desk.scene(
+        "guests.json",
+        &json!({ "executables": { "same": "proctor" } }),
+    );
+    let said = |arguments: &[&str]| {
+        let output = proctor(arguments);
+        assert_eq!(code(&output), 2, "{}", stdout(&output));
+        assert_eq!(stdout(&output), "");
+        stderr(&output)
+    };
+    for (case, words) in [
+        (
+            "plastic-wave",
+            "there is no study of it: its question is to the laws",
+        ),
+        ("plastic-wave", "`proctor arena` with other solvers"),
+        (
+            "spin",
+            "there is no study of it: all nodes move as prescribed",
+        ),
+    ] {
+        let text = said(&["precision", case, "--executables", &config]);
+        assert!(
+            text.contains(words) && !text.contains("not known"),
+            "{text}"
+        );
+    }
+    for (case, words) in [
+        (
+            "yielding-column",
+            "not for other solvers: its answer depends on the way",
+        ),
+        ("slope", "not for other solvers: its clay softens"),
+        (
+            "fluid",
+            "not for other solvers: the scenes of other solvers have no fluids",
+        ),
+        (
+            "angular-momentum",
+            "not for other solvers: an affine transfer keeps",
+        ),
+    ] {
+        let text = said(&["precision", "--guests", case]);
+        assert!(text.contains(words), "{text}");
+        assert!(
+            text.contains(&format!("`proctor verify {case}` runs it")),
+            "{text}"
+        );
+    }
+    // The list has each case of `verify`, open or with its reason.
+    let list = stdout(&proctor(&["precision", "--guests"]));
+    let words: Vec<&str> = list.split([' ', ',', '\n']).collect();
+    for case in proctor_verification::case::all() {
+        let studies = case.studied().unwrap_or_default();
+        let name = studies.first().map_or(case.name(), |study| study.name());
+        assert!(words.contains(&name), "{name}: {list}");
+    }
+    assert!(
+        list.contains("A second error, that of the stress"),
+        "{list}"
     );
 }
 
@@ -158,6 +233,11 @@ fn the_numpy_example_is_as_good_as_the_kernel_on_a_wave() {
     let found = errors(&record, "step-bar", "numpy", "displacement");
     assert_eq!((own.len(), found.len()), (3, 3), "{text}");
     assert!(found[2] < 1.1 * own[2], "{found:?} {own:?}");
+    // Its frames hold stresses.
+    let own = errors(&record, "step-bar", "proctor", "stress");
+    let found = errors(&record, "step-bar", "numpy", "stress");
+    assert_eq!((own.len(), found.len()), (3, 3), "{text}");
+    assert!(found[2] < 1.2 * own[2], "{found:?} {own:?}");
 }
 
 #[test]

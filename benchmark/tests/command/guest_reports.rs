@@ -33,8 +33,19 @@ fn reports_stand_beside_their_references_and_are_no_errors() {
     let (json, svg, page) = (desk.name("a.json"), desk.name("a.svg"), desk.name("a.html"));
     let keep = desk.name("kept");
     let output = proctor(&[
-        "arena", &config, "collapse", "footing", "step-bar", "--quick", "--json", &json, "--svg",
-        &svg, "--keep", &keep,
+        "arena",
+        &config,
+        "collapse",
+        "footing",
+        "sphere-on-terrain",
+        "vortex",
+        "--quick",
+        "--json",
+        &json,
+        "--svg",
+        &svg,
+        "--keep",
+        &keep,
     ]);
     let text = stdout(&output);
     // A solver without stresses fails on the case that reads them, and on no other.
@@ -47,12 +58,13 @@ fn reports_stand_beside_their_references_and_are_no_errors() {
         .split_once("\nReports, without a bound")
         .expect("reports");
     assert!(
-        errors.contains("step-bar") && !errors.contains("collapse\n"),
+        errors.contains("vortex") && !errors.contains("collapse\n"),
         "{text}"
     );
     for words in [
         "collapse: run-out over width",
         "footing: load over the exact one",
+        "sphere-on-terrain: energy after the bounce over the initial",
     ] {
         assert!(reports.contains(words), "{words}: {text}");
     }
@@ -63,7 +75,11 @@ fn reports_stand_beside_their_references_and_are_no_errors() {
     );
     // The same program reports the same number, beside 1.2 H/d of the experiments and 1 of the exact load.
     let rows = rows(&json);
-    for (case, word, reference) in [("collapse", "run-out", 0.9), ("footing", "load", 1.0)] {
+    for (case, word, reference) in [
+        ("collapse", "run-out", 0.9),
+        ("footing", "load", 1.0),
+        ("sphere-on-terrain", "energy", 1.0),
+    ] {
         let of = |solver: &str| -> Vec<&Value> {
             let is_it = |row: &&Value| row["case"] == case && row["executable"] == solver;
             rows.iter().filter(is_it).collect()
@@ -107,7 +123,11 @@ fn reports_stand_beside_their_references_and_are_no_errors() {
 
 /// Frames of a report that lie in a folder: no bound but that of the command.
 fn by_hand(kept: &Path) {
-    for (case, run) in [("collapse", "1_h_16"), ("footing", "b_h_8")] {
+    for (case, run) in [
+        ("collapse", "1_h_16"),
+        ("footing", "b_h_8"),
+        ("sphere-on-terrain", "h_0_1"),
+    ] {
         let folders = fs::read_dir(kept.join(case)).expect("runs");
         let folder = folders
             .flatten()
@@ -131,6 +151,20 @@ fn by_hand(kept: &Path) {
     }
 }
 
+/// Number of surfaces below a folder that the scene beside them names.
+fn stl(folder: &Path) -> usize {
+    let scenes = found(folder, "scene.json");
+    let named = scenes.iter().filter(|path| {
+        let text = fs::read_to_string(path).expect("a scene");
+        let scene: Value = serde_json::from_str(&text).expect("JSON");
+        let name = scene["terrain_contact"]["stl_mesh"]
+            .as_str()
+            .expect("a name");
+        path.with_file_name(name).is_file()
+    });
+    named.count()
+}
+
 #[test]
 fn problems_are_folders_with_scene_values_and_a_readme() {
     let desk = Desk::new();
@@ -138,9 +172,9 @@ fn problems_are_folders_with_scene_values_and_a_readme() {
     let export = |cases: &[&str]| {
         proctor(&[&["export", "--format", "problems", &folder][..], cases].concat())
     };
-    let output = export(&["sudden-weight", "footing"]);
+    let output = export(&["sudden-weight", "footing", "vortex", "sphere-on-terrain"]);
     assert_eq!(code(&output), 0, "{}", stderr(&output));
-    assert_eq!(stdout(&output), format!("5 problems in {folder}\n"));
+    assert_eq!(stdout(&output), format!("9 problems in {folder}\n"));
     for (case, runs, values, words) in [
         (
             "sudden-weight",
@@ -153,6 +187,18 @@ fn problems_are_folders_with_scene_values_and_a_readme() {
             2,
             "reference.csv",
             "no bound, but that of `--bound`",
+        ),
+        (
+            "vortex",
+            2,
+            "exact.csv",
+            "the exact displacement (m) and the stress (Pa, tension positive)",
+        ),
+        (
+            "sphere-on-terrain",
+            2,
+            "reference.csv",
+            "`Velocity` (m/s) and `Stress_XX` to `Stress_XY`",
         ),
     ] {
         let path = desk.path("problems").join(case);
@@ -167,9 +213,12 @@ fn problems_are_folders_with_scene_values_and_a_readme() {
     let table = found(&desk.path("problems/sudden-weight"), "exact.csv");
     let text = fs::read_to_string(&table[0]).expect("a table");
     assert!(
-        text.starts_with("time_s,x_m,y_m,z_m,displacement_x,"),
+        text.starts_with("time_s,x_m,y_m,z_m,displacement_x,")
+            && text.lines().all(|line| line.split(',').count() == 13),
         "{text}"
     );
+    // The surface of triangles lies beside the scene that names it.
+    assert_eq!(stl(&desk.path("problems/sphere-on-terrain")), 2);
     let times: std::collections::BTreeSet<&str> = text
         .lines()
         .skip(1)

@@ -305,13 +305,67 @@ fn guests_stand_in_chart_and_table_of_a_case_with_their_error_and_time() {
         let chart = fs::read_to_string(desk.path("charts/sudden-weight-displacement.svg"));
         assert!(chart.expect("a chart").contains(name), "{name}");
     }
-    // Frames are judged by their displacement alone.
+    // The second error is that of the stress, of the same frames.
     let chart = fs::read_to_string(desk.path("charts/sudden-weight-stress.svg")).expect("a chart");
-    assert!(!chart.contains("(process)"));
+    assert!(chart.contains("same (process)"));
+    let own = errors(&record, "sudden-weight", "proctor", "stress");
+    assert!(own.len() == 3 && own[2] < 0.02, "{own:?}");
+    assert_eq!(errors(&record, "sudden-weight", "same", "stress"), own);
     let csv = fs::read_to_string(desk.path("p.csv")).expect("values");
-    assert_eq!(
-        csv.lines().filter(|line| line.ends_with(",same")).count(),
-        3
+    for measure in ["displacement", "stress"] {
+        let of_same = |line: &&str| line.ends_with(",same") && line.contains(measure);
+        assert_eq!(csv.lines().filter(of_same).count(), 3, "{measure}");
+    }
+}
+
+/// Frames of which only some hold stresses are judged by what they hold: a solver without them by its displacements alone.
+#[test]
+fn a_stress_that_is_off_is_seen_and_one_that_is_missing_is_no_error() {
+    let desk = Desk::new();
+    let only = |change: &str| {
+        wrapped(&format!(
+            "case $1 in *calibration*) $0 run $1 --out $2;; *) sed '{change}' $1 > $2/other.json; \
+             $0 run $2/other.json --out $2;; esac"
+        ))
+    };
+    let (exit, text, record) = precision(
+        &desk,
+        "bar",
+        &json!({
+            "without": only("s/\"stress\"/\"pressure\"/"),
+            // Twice as stiff and as dense: the same motion by twice the stress.
+            "heavy": only("s/\"young\": 100.0/\"young\": 200.0/; s/\"density\": 1.0/\"density\": 2.0/"),
+        }),
+    );
+    assert_eq!(exit, 0, "{text}");
+    let of = |name: &str, measure: &str| errors(&record, "bar", name, measure);
+    let (own, own_stress) = (of("proctor", "displacement"), of("proctor", "stress"));
+    assert!(own.len() == 3 && own[2] < 0.01, "{own:?}");
+    assert!(
+        own_stress.len() == 3 && own_stress[2] < 0.04,
+        "{own_stress:?}"
+    );
+    assert_eq!(of("without", "displacement"), own);
+    assert!(of("without", "stress").is_empty());
+    for (heavy, own) in of("heavy", "displacement").iter().zip(&own) {
+        assert!((heavy / own - 1.0).abs() < 1e-6, "{heavy} {own}");
+    }
+    let off = of("heavy", "stress");
+    let is_off = |error: &f64| (error - 1.0).abs() < 0.2;
+    assert!(off.len() == 3 && off.iter().all(is_off), "{off:?}");
+    let frames = found(&desk.path("kept/bar"), "particles.pvd");
+    let finest = |path: &&std::path::PathBuf| {
+        let path = path.to_string_lossy();
+        path.contains("l_h_32") && path.contains("heavy")
+    };
+    let frames = frames.iter().find(finest).expect("frames");
+    let folder = frames.parent().expect("a folder").display().to_string();
+    let output = proctor(&["judge", "bar", &folder]);
+    let said = stdout(&output);
+    assert_eq!(code(&output), 0, "{said}{}", stderr(&output));
+    assert!(
+        said.contains("PASS  bar") && said.contains("of the stress"),
+        "{said}"
     );
 }
 

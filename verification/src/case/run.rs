@@ -104,6 +104,13 @@ impl Case {
             .filter(|reason| *reason != NO_WORD_OF_GUESTS)
     }
 
+    /// The reason why no other solver can run it, or why nothing of it is studied, where it names none of the first kind.
+    #[must_use]
+    pub fn why_closed(&'static self) -> &'static str {
+        let studied = self.studied().err();
+        self.closed_to_guests().or(studied).unwrap_or_default()
+    }
+
     /// The runs of a size: variant by variant, each coarse to fine.
     #[must_use]
     pub fn rungs(&self, size: Size) -> Vec<Rung> {

@@ -132,6 +132,7 @@ fn swing(axes: usize) -> guest::start::Swing {
         length: SIDE,
         amplitude: SMALL,
         speed: (modulus / DENSITY).sqrt(),
+        lame: [LAW.elasticity().lambda, LAW.elasticity().shear],
     }
 }
 

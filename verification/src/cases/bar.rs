@@ -57,7 +57,8 @@ pub static BAR: Case = Case::new(
     let exact = exact(1.0);
     let velocity = move |x: &Vector| [exact.velocity(x[0], 0.0), 0.0, 0.0];
     let moved = move |x: &Vector, t| [exact.displacement(x[0], t), 0.0, 0.0];
-    Ok(guest::start::moving(rung, scene, 1, exact.wave_speed(), velocity, moved))
+    let guest = guest::start::moving(rung, scene, 1, exact.wave_speed(), velocity, moved);
+    Ok(guest.with_stress(move |x, t| uniaxial(exact.stress(x[0], t))))
 });
 
 const fn cells_along(short: &'static [u32], full: &'static [u32]) -> Ladder {

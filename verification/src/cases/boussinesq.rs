@@ -161,10 +161,22 @@ fn guest(rung: &Rung) -> Result<Guest, &'static str> {
     scene.time = guest::RELAXATION * SIDE / speed;
     let (scene, tractions) = guest::with_nodal_loads(scene);
     let scene = guest::prepared(scene, 1, guest::COURANT * rung.cell / speed);
-    Ok(Guest {
+    let exact = Arc::new(exact);
+    let of_stress = Arc::clone(&exact);
+    let guest = Guest {
         counts: Box::new(|x| compare::is_outside(x, LEFT_OUT)),
         exact: Box::new(move |starts, _| exact.displacement_many(starts)),
         tractions,
         ..Guest::new(scene, |_, _| [0.0; 3]).at_the_end()
-    })
+    };
+    Ok(guest.with_stresses(Box::new(move |starts, _| {
+        let all = of_stress.stress_many(starts).into_iter();
+        // The series has no values at the loaded surface, where no particle begins.
+        all.map(|s| {
+            s.map_or([f64::NAN; 6], |[xx, yy, zz, xy, yz, xz]| {
+                [xx, yy, zz, yz, xz, xy]
+            })
+        })
+        .collect()
+    })))
 }

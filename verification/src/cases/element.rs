@@ -375,7 +375,8 @@ pub static ELEMENT: Case = Case::new(
 .solve_by(solve)
 .judge_by(judge)
 .wrong_references(&[WRONG_STIFFNESS, WRONG_STRENGTH])
-.no_study("no grid takes part, so that weighting functions, schemes and transfers have no say");
+.no_study("no grid takes part, so that weighting functions, schemes and transfers have no say")
+.no_guest("no grid takes part: it is the law alone");
 
 fn found(reference: Reference, path: &Path, steps: u32) -> Result<Measurements, String> {
     let states = path.walk(steps)?;

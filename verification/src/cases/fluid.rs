@@ -67,7 +67,8 @@ pub static FLUID: Case = Case::new(
 .run(compare)
 .judge_by(judge)
 .wrong_references(&[WRONG_VISCOSITY, WRONG_FORCE])
-.no_study("its problems have methods and steps of their own");
+.no_study("its problems have methods and steps of their own")
+.no_guest("the scenes of other solvers have no fluids");
 
 fn problem(rung: &Rung) -> &'static Problem {
     let own = |problem: &&&Problem| problem.variant == rung.variant;

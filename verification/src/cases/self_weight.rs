@@ -98,7 +98,14 @@ fn guest(rung: &Rung) -> Result<Guest, &'static str> {
         ..exact(Reference::CORRECT)
     };
     let sunk = move |x: &Vector, _| [0.0, exact.position(x[1]) - x[1], 0.0];
-    Ok(Guest::new(guest::prepared(scene, 1, step), sunk).at_the_end())
+    let guest = Guest::new(guest::prepared(scene, 1, step), sunk).at_the_end();
+    Ok(guest.with_stress(move |x, _| stress(&exact, x[1])))
+}
+
+/// Stress \[Pa\] of the material that began at a height \[m\].
+fn stress(exact: &SelfWeightColumn, y: f64) -> [f64; 6] {
+    let lateral = exact.lateral_stress(y);
+    [lateral, exact.vertical_stress(y), lateral, 0.0, 0.0, 0.0]
 }
 
 fn settle(run: &mut Run<'_>) -> Result<(), Failure> {
@@ -110,10 +117,7 @@ fn compare(run: &mut Run<'_>) -> Result<Measurements, Failure> {
     let exact = exact(run.reference);
     let quantities = run.errors(
         |x| [0.0, exact.position(x[1]) - x[1], 0.0],
-        |x| {
-            let lateral = exact.lateral_stress(x[1]);
-            [lateral, exact.vertical_stress(x[1]), lateral, 0.0, 0.0, 0.0]
-        },
+        |x| stress(&exact, x[1]),
     );
     let points = run.along(1, |p, y| {
         [run.stress(p)[1] / 1e3, exact.vertical_stress(y) / 1e3]

@@ -184,7 +184,8 @@ pub static SHEAR_AND_TURN: Case = Case::new(
 .wrong_references(&[WRONG_STIFFNESS, WRONG_RATE])
 .no_study(
     "all nodes move as prescribed, so that weighting functions, schemes and transfers have no say",
-);
+)
+.no_guest("all nodes move as prescribed, and no scene file can say that");
 
 fn update(reference: Reference, variant: Variant) -> Update {
     match (variant.update, reference.of(&WRONG_RATE) != 0.0) {

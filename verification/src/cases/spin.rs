@@ -215,7 +215,8 @@ pub static SPIN: Case = Case::new(
 .wrong_references(&[WRONG_ANGLE, WRONG_STRAIN])
 .no_study(
     "all nodes move as prescribed, so that weighting functions, schemes and transfers have no say",
-);
+)
+.no_guest("all nodes move as prescribed, and no scene file can say that; *rotation* spins freely");
 
 /// Motion of all nodes.
 fn motion(reference: Reference, rung: &Rung) -> NodeMotion {

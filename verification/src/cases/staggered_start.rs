@@ -70,7 +70,14 @@ pub static STAGGERED_START: Case = Case::new(
 )])
 // No scene file can say the force that drives the motion. With a small amplitude the bar swings so by itself.
 .guest(|rung| {
-    let swing = guest::start::Swing { axes: 1, length: LENGTH, amplitude: 1e-4 * LENGTH, speed: wave_speed() };
+    let swing = guest::start::Swing {
+        axes: 1,
+        length: LENGTH,
+        amplitude: 1e-4 * LENGTH,
+        speed: wave_speed(),
+        // Poisson's ratio is zero.
+        lame: [0.0, 0.5 * YOUNG],
+    };
     Ok(swing.guest(rung, scene))
 });
 

@@ -365,8 +365,9 @@ fn guest(rung: &Rung) -> Result<Guest, &'static str> {
     let step = guest::COURANT * rung.cell / exact.wave_speed();
     let scene = guest::prepared(scene, 1, step);
     let moved = move |x: &Vector, t| [exact.displacement(x[0], t), 0.0, 0.0];
-    Ok(Guest {
+    let guest = Guest {
         tractions,
         ..Guest::new(scene, moved).at_the_end()
-    })
+    };
+    Ok(guest.with_stress(move |x, t| uniaxial(exact.stress(x[0], t))))
 }

@@ -242,5 +242,9 @@ fn guest(rung: &Rung) -> Result<Guest, &'static str> {
     let step = guest::COURANT * rung.cell / exact.wave_speed;
     let scene = guest::prepared(scene, guest::FRAMES, step);
     let sunk = move |x: &Vector, t| [0.0, exact.displacement(x[1], t), 0.0];
-    Ok(Guest::new(scene, sunk))
+    Ok(Guest::new(scene, sunk).with_stress(move |x, t| {
+        let vertical = exact.stress(x[1], t, DENSITY);
+        let lateral = POISSON / (1.0 - POISSON) * vertical;
+        [lateral, vertical, lateral, 0.0, 0.0, 0.0]
+    }))
 }

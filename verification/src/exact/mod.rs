@@ -42,6 +42,7 @@ pub mod sound;
 pub mod special;
 pub mod step_bar;
 pub mod sudden_weight;
+pub mod swirl;
 pub mod thick_wall;
 pub mod turned;
 pub mod two_phase_column;

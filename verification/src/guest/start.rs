@@ -88,6 +88,8 @@ pub(crate) struct Swing {
     pub amplitude: f64,
     /// Speed of waves of compression \[m/s\].
     pub speed: f64,
+    /// Constants of Lamé, lambda and mu \[Pa\].
+    pub lame: [f64; 2],
 }
 
 impl Swing {
@@ -101,6 +103,23 @@ impl Swing {
                 0.0
             }
         })
+    }
+
+    /// Stress \[Pa: xx, yy, zz, yz, xz, xy\] where the displacement is along each axis times `factor`: each axis is strained
+    /// for itself.
+    fn stress(self, x: &Vector, factor: f64) -> [f64; 6] {
+        let number = std::f64::consts::PI / self.length;
+        let strain: Vector = std::array::from_fn(|axis| {
+            if axis < self.axes {
+                self.amplitude * factor * number * libm::cos(number * x[axis])
+            } else {
+                0.0
+            }
+        });
+        let [lambda, shear] = self.lame;
+        let pressure = lambda * strain.iter().sum::<f64>();
+        let [x, y, z] = strain.map(|e| pressure + 2.0 * shear * e);
+        [x, y, z, 0.0, 0.0, 0.0]
     }
 
     /// Angular frequency \[rad/s\].
@@ -118,5 +137,6 @@ impl Swing {
             move |x| self.along(x, self.frequency()),
             move |x, t| self.along(x, libm::sin(self.frequency() * t)),
         )
+        .with_stress(move |x, t| self.stress(x, libm::sin(self.frequency() * t)))
     }
 }

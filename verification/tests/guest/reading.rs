@@ -26,6 +26,7 @@ fn a_run_out_ends_with_the_last_column_that_has_no_gap_before_it() {
             .iter()
             .map(|x| std::array::from_fn(|axis| x[axis] - start[axis]))
             .collect(),
+        ..Snapshot::default()
     };
     let found = read(&guest, &[frame(&places)]).expect("a number");
     assert!((found.value - 1.0).abs() < 1e-12, "{found:?}");
@@ -49,6 +50,7 @@ fn a_load_is_that_of_the_mean_stress_of_the_ground() {
         time: 0.0,
         starts: vec![[0.1; 3], [0.1; 3], [0.1, 3.1, 0.1]],
         values: vec![[7.0, 2.0 * stress, 7.0], [7.0, 0.0, 7.0], [99.0; 3]],
+        ..Snapshot::default()
     };
     let due = 3.0 * wide / (2.0 + std::f64::consts::PI);
     // Frames before the last four do not count.
@@ -89,7 +91,12 @@ fn the_load_by_stresses_is_the_one_that_slows_the_footing() {
 /// the footing comes from above: what moves is as wide as B and a cell and the half of a particle's domain on either side.
 #[test]
 fn readings_of_this_kernel_lie_near_their_references() {
-    for (case, least, most) in [("collapse", 0.67, 1.33), ("footing", 0.98, 1.625)] {
+    for (case, least, most) in [
+        ("collapse", 0.67, 1.33),
+        ("footing", 0.98, 1.625),
+        // Most of the energy is that of height; the motion is 7 % of it.
+        ("sphere-on-terrain", 0.93, 1.005),
+    ] {
         let (guest, rung) = guest(case);
         let found = read(&guest, &frames(&guest)).unwrap_or_else(|e| panic!("{case}: {e}"));
         let over = found.value / found.reference;
@@ -100,4 +107,32 @@ fn readings_of_this_kernel_lie_near_their_references() {
             rung.label
         );
     }
+}
+
+/// A sphere of 1000 kg/m³ that has come to rest half a metre above the ground and is pressed by 1 MPa: E = 10 MPa and a Poisson's
+/// ratio of 0.3 give p²/2K, K = E/1.2, beside g z.
+#[test]
+fn an_energy_is_that_of_height_motion_and_strain() {
+    let (guest, _) = guest("sphere-on-terrain");
+    let p = -1e6;
+    let frame = Snapshot {
+        time: guest.scene.time,
+        starts: vec![[1.0, 1.0, 0.6], [1.0, 1.0, 1.0]],
+        values: vec![[0.2, 0.0, 0.0], [0.0, 0.0, -0.4]],
+        displacements: vec![[0.1, 0.0, -0.4], [0.1, 0.0, -0.2]],
+        stresses: vec![[p, p, p, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 2e5, 0.0, 0.0]],
+    };
+    let start = 0.5 * (0.09 + 0.01 + 1.0) + 9.81 * 0.8;
+    let pressed = 1e12 / 2.0 / (1e7 / 1.2) / 1000.0;
+    let sheared = 4e10 / 2.0 / (1e7 / 2.6) / 1000.0;
+    let energies = [9.81 * 0.2 + 0.02 + pressed, 9.81 * 0.8 + 0.08 + sheared];
+    let due = 0.5 * (energies[0] + energies[1]) / start;
+    let found = read(&guest, std::slice::from_ref(&frame)).expect("a number");
+    assert!((found.value / due - 1.0).abs() < 1e-12, "{found:?} {due}");
+    assert!((found.reference - 1.0).abs() < 1e-12);
+    let without = Snapshot {
+        stresses: vec![],
+        ..frame
+    };
+    assert!(read(&guest, &[without]).is_err());
 }

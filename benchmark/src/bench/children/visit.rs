@@ -10,7 +10,7 @@ use crate::frames::{self, Frame};
 use crate::measure::Spent;
 use crate::show::number;
 use proctor_files::json::write;
-use proctor_scene::TimeStep;
+use proctor_scene::{Field, TimeStep};
 use proctor_verification::guest::{ComparedField, Guest, Snapshot};
 use serde_json::Value;
 use std::path::Path;
@@ -215,36 +215,63 @@ impl GuestScene {
         let starts = frame.points.iter().zip(&u);
         let starts = starts.map(|(x, u)| std::array::from_fn(|axis| x[axis] - u[axis]));
         let starts = starts.collect();
+        // Stresses that are a second error may be missing; a number that is read off them may not.
+        let needed = guest.reading.is_some() && guest.scene.results.fields.contains(&Field::Stress);
+        let stresses = if needed || guest.stress.is_some() {
+            stresses(frame, needed)?
+        } else {
+            vec![]
+        };
         let (values, time) = match guest.compared {
-            ComparedField::Displacement => (u, time),
+            ComparedField::Displacement => (u.clone(), time),
             ComparedField::Velocity => {
                 let known = frame.vectors("Velocity").zip(calibration.velocity_ahead);
                 let (v, ahead) = known.ok_or("no point data `Velocity` of 3 components")?;
                 (v, time + ahead * self.step)
             }
-            ComparedField::Stress => (normal_stresses(frame)?, time),
+            ComparedField::Stress => {
+                let normal = |s: &[f64; 6]| [s[0], s[1], if s[2].is_nan() { 0.0 } else { s[2] }];
+                (stresses.iter().map(normal).collect(), time)
+            }
         };
         Ok(Snapshot {
             time,
             starts,
             values,
+            displacements: u,
+            stresses,
         })
     }
 }
 
-/// Normal stresses of the particles \[Pa\].
-fn normal_stresses(frame: &Frame) -> Result<Vec<[f64; 3]>, String> {
-    let one = |axis: &str| {
-        let name = format!("Stress_{axis}{axis}");
-        frame.scalars(&name).ok_or_else(|| {
-            format!("no point data `{name}` of one component; the case reads stresses")
-        })
-    };
-    let [x, y] = [one("X")?, one("Y")?];
-    // Solvers of two dimensions may have no third one.
-    let z = frame.scalars("Stress_ZZ");
-    let all = x.iter().zip(y).enumerate();
-    Ok(all
-        .map(|(i, (x, y))| [*x, *y, z.map_or(0.0, |z| z[i])])
-        .collect())
+/// Components of the stress in the columns of a frame, the first two of which every solver has.
+const STRESSES: [&str; 6] = [
+    "Stress_XX",
+    "Stress_YY",
+    "Stress_ZZ",
+    "Stress_YZ",
+    "Stress_XZ",
+    "Stress_XY",
+];
+
+/// Stresses of the particles \[Pa\], NaN for a component without a column; none where the frame lacks one of the first two, which
+/// is an error where they are needed.
+fn stresses(frame: &Frame, needed: bool) -> Result<Vec<[f64; 6]>, String> {
+    let columns = STRESSES.map(|name| frame.scalars(name));
+    let missing = STRESSES.iter().zip(&columns).take(2);
+    let mut missing = missing.filter(|(_, column)| column.is_none());
+    if let Some((name, _)) = missing.next() {
+        if needed {
+            return Err(format!(
+                "no point data `{name}` of one component; the case reads stresses"
+            ));
+        }
+        return Ok(vec![]);
+    }
+    let all = |i: usize| columns.map(|column| column.map_or(f64::NAN, |column| column[i]));
+    let wrong = |column: &&[f64]| column.iter().any(|stress| !stress.is_finite());
+    if columns.iter().flatten().any(wrong) {
+        return Err("a stress that is not finite".to_owned());
+    }
+    Ok((0..frame.points.len()).map(all).collect())
 }

@@ -68,20 +68,18 @@ pub fn error_against_time(studied: &CaseStudy, measure: usize) -> Chart {
             points: line.path.iter().filter_map(point).collect(),
         });
     }
-    if measure == 0 {
-        for (i, peer) in studied.peers.iter().enumerate() {
-            let (colour, mark, stroke) = peer_look(i);
-            let points = peer.runs.iter();
-            series.push(Series {
-                colour,
-                mark,
-                stroke,
-                strength: Strength::Plain,
-                points: points
-                    .filter_map(|run| peer_point(peer, run, studied.threads))
-                    .collect(),
-            });
-        }
+    for (i, peer) in studied.peers_of(measure).iter().enumerate() {
+        let (colour, mark, stroke) = peer_look(i);
+        let points = peer.runs.iter();
+        series.push(Series {
+            colour,
+            mark,
+            stroke,
+            strength: Strength::Plain,
+            points: points
+                .filter_map(|run| peer_point(peer, run, studied.threads))
+                .collect(),
+        });
     }
     series.retain(|series| !series.points.is_empty());
     Chart {
@@ -110,7 +108,7 @@ pub fn error_against_time(studied: &CaseStudy, measure: usize) -> Chart {
 /// Name of the time, of methods and of other solvers.
 fn time_words(studied: &CaseStudy, measure: usize) -> String {
     let words = studied.seconds_words();
-    if studied.peers.is_empty() || measure > 0 {
+    if studied.peers_of(measure).is_empty() {
         words.to_owned()
     } else {
         format!("{words}; of (process) all of it")
@@ -267,14 +265,12 @@ fn legend(studied: &CaseStudy, measure: usize, series: &[Series]) -> Vec<Entry> 
             push(word, Colour::Ink, Mark::None, TRANSFER_STROKES[i]);
         }
     }
-    if measure == 0 {
-        for (i, peer) in studied.peers.iter().enumerate() {
-            let (colour, mark, stroke) = peer_look(i);
-            if peer.runs.iter().all(|run| run.samples.is_empty()) {
-                continue;
-            }
-            push(&format!("{} (process)", peer.name), colour, mark, stroke);
+    for (i, peer) in studied.peers_of(measure).iter().enumerate() {
+        let (colour, mark, stroke) = peer_look(i);
+        if peer.runs.iter().all(|run| run.samples.is_empty()) {
+            continue;
         }
+        push(&format!("{} (process)", peer.name), colour, mark, stroke);
     }
     entries.push(Entry {
         label: "Pareto front".to_owned(),

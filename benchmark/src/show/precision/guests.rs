@@ -1,23 +1,24 @@
 //! Other solvers on a terminal: which cases are open to them, and the bounds that they keep.
 
 use crate::show::{Table, filled, paragraph, percent};
-use proctor_scene::Damping;
-use proctor_verification::case::{Gate, Size};
-use proctor_verification::guest::{ComparedField, Guest};
+use proctor_scene::{Damping, Field};
+use proctor_verification::case::{Case, Gate, Size};
+use proctor_verification::guest::Guest;
 use proctor_verification::study::Study;
 use std::io::{self, Write};
 
 /// Columns of a terminal.
 const WIDTH: usize = 80;
 
-/// Lists the cases that are open to other solvers with the needs of each, and the reason for which the others are not.
+/// Lists the cases that are open to other solvers with the needs of each, and the reason for which the others are not: of
+/// problems, and of cases that have none.
 ///
 /// # Errors
 /// If `out` cannot be written.
-pub fn list(studies: &[Study], out: &mut dyn Write) -> io::Result<()> {
+pub fn list(studies: &[Study], without: &[&'static Case], out: &mut dyn Write) -> io::Result<()> {
     let mut open = Table::new(["case", "runs", "needs"]);
     let mut closed: Vec<(&str, &str)> = vec![];
-    let mut reports = vec![];
+    let (mut reports, mut second) = (vec![], vec![]);
     for study in studies {
         let path = study.path(Size::Quick);
         match path.first().map(|rung| study.guest(rung)) {
@@ -31,6 +32,9 @@ pub fn list(studies: &[Study], out: &mut dyn Write) -> io::Result<()> {
                     ),
                     needs(&guest).join(", "),
                 ]);
+                if guest.stress.is_some() {
+                    second.push(study.name());
+                }
                 let reading = guest.reading.as_ref();
                 reports
                     .extend(reading.map(|r| format!("{}: {}; {}", study.name(), r.name, r.source)));
@@ -39,13 +43,23 @@ pub fn list(studies: &[Study], out: &mut dyn Write) -> io::Result<()> {
             None => {}
         }
     }
+    closed.extend(without.iter().map(|case| (case.name(), case.why_closed())));
     let count = open.lines().len() - 1;
     writeln!(
         out,
-        "{count} of {} cases are open to other solvers; runs: short or long study\n",
-        studies.len()
+        "{count} of {} problems are open to other solvers; runs: short or long study\n",
+        count + closed.len()
     )?;
     write!(out, "{open}")?;
+    if !second.is_empty() {
+        let names = second.join(", ");
+        writeln!(out)?;
+        paragraph(
+            &format!("A second error, that of the stress, where frames hold stresses: {names}"),
+            0,
+            out,
+        )?;
+    }
     if !reports.is_empty() {
         writeln!(
             out,
@@ -58,8 +72,18 @@ pub fn list(studies: &[Study], out: &mut dyn Write) -> io::Result<()> {
     if !closed.is_empty() {
         writeln!(out, "\nThe others, and why not\n")?;
     }
+    // One reason once, with all that it holds for.
+    let mut reasons: Vec<(&str, Vec<&str>)> = vec![];
     for (name, reason) in closed {
-        writeln!(out, "  {name}")?;
+        match reasons.iter_mut().find(|(known, _)| *known == reason) {
+            Some((_, names)) => names.push(name),
+            None => reasons.push((reason, vec![name])),
+        }
+    }
+    for (reason, names) in reasons {
+        for line in filled(names.join(", ").split(' '), WIDTH - 2) {
+            writeln!(out, "  {line}")?;
+        }
         for line in filled(reason.split(' '), WIDTH - 6) {
             writeln!(out, "      {line}")?;
         }
@@ -102,7 +126,8 @@ fn needs(guest: &Guest) -> Vec<String> {
         matches!(scene.damping, Damping::Local { .. }),
         "local damping",
     );
-    add(guest.compared == ComparedField::Stress, "stresses");
+    let read = guest.reading.is_some() && scene.results.fields.contains(&Field::Stress);
+    add(read, "stresses");
     needs
 }
 

@@ -161,11 +161,8 @@ fn table(
             words(line.costs[1]),
         ]);
     }
-    // Other solvers are judged by the first error alone.
-    if measure == 0 {
-        for peer in &studied.peers {
-            table.push(peer_line(peer, studied.threads));
-        }
+    for peer in studied.peers_of(measure) {
+        table.push(peer_line(&peer, studied.threads));
     }
     table
 }
@@ -237,7 +234,7 @@ fn peers(studied: &CaseStudy, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out)?;
     paragraph(
         "(process): the case's scene for other solvers, in three dimensions, with uGIMP, USL, FLIP and C = 0.3 at most; whole \
-         processes, frames judged by the first error",
+         processes, frames judged by the first error; that of the stress beside it where frames hold stresses",
         2,
         out,
     )?;
