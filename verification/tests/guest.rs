@@ -176,7 +176,8 @@ fn cases_with_an_error_of_the_stress_have_it_for_other_solvers() {
     ];
     assert_eq!(held, wanted);
     for (case, bound) in [
-        ("boussinesq", 0.2),
+        // The load ends at a rim, beside which the stress jumps; so does the wave of *step-bar*.
+        ("boussinesq", 0.3),
         ("self-weight", 0.2),
         ("step-bar", 0.24),
         ("sudden-weight", 0.08),

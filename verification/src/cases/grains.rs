@@ -77,7 +77,7 @@ pub static GRAINS: Case = Case::new("grains", "Do soft grains that a plate compa
 .judge_by(lines)
     .wrong_references(&[WRONG_DAMPING])
     .no_study("nothing exact is known of a pile of grains but balances, which hold to round-off whatever the settings")
-    .no_guest("mortar contact, which the manuals do not know, is what it is about");
+    .no_guest(NO_GUEST);
 
 /// Grains per side of the packing.
 fn side(rung: &Rung) -> usize {

@@ -94,8 +94,9 @@ fn readings_of_this_kernel_lie_near_their_references() {
     for (case, least, most) in [
         ("collapse", 0.67, 1.33),
         ("footing", 0.98, 1.625),
-        // Most of the energy is that of height; the motion is 7 % of it.
-        ("sphere-on-terrain", 0.93, 1.005),
+        // Stopped dead after a fall of a fifth of a metre it would have seven tenths; half of that may be lost in cells as large as
+        // its radius.
+        ("sphere-on-terrain", 0.85, 1.005),
     ] {
         let (guest, rung) = guest(case);
         let found = read(&guest, &frames(&guest)).unwrap_or_else(|e| panic!("{case}: {e}"));
@@ -135,4 +136,26 @@ fn an_energy_is_that_of_height_motion_and_strain() {
         ..frame
     };
     assert!(read(&guest, &[without]).is_err());
+}
+
+/// The sphere of the study has 901 particles in cells of 0.1 m, and is handed over as rows of cuboids.
+#[test]
+fn a_sphere_of_rows_has_the_particles_of_the_sphere() {
+    let study = super::study::open()
+        .into_iter()
+        .find(|study| study.name() == "sphere-on-terrain");
+    let study = study.expect("a study");
+    let rung = &study.path(super::Size::Quick)[1];
+    assert!((rung.cell - 0.1).abs() < 1e-12);
+    let guest = study
+        .guest(rung)
+        .unwrap_or_else(|reason| panic!("{reason}"));
+    let options = proctor_scene::simulation::Options::default();
+    let of = |scene: &proctor_scene::Scene| {
+        let simulation = proctor_scene::simulation::Simulation::new(scene, &options);
+        simulation
+            .unwrap_or_else(|error| panic!("{error}"))
+            .particles()
+    };
+    assert_eq!(of(&guest.scene), 901);
 }
