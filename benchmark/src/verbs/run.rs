@@ -210,6 +210,7 @@ fn told(places: &SourceMap, error: &RunError) -> String {
     match error {
         RunError::Setup(error) => places.of_setup(error),
         RunError::Step(error) => places.of_step(error),
+        RunError::Refused(problem) => places.of_problem(problem),
         RunError::Checkpoint(_) | RunError::Output(_) => format!("{}: {error}", places.name()),
     }
 }

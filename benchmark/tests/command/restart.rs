@@ -89,6 +89,34 @@ fn a_restart_changes_what_a_stage_changes_and_says_what() {
         "{}",
         stderr(&again)
     );
+    // Loads and planes change as well.
+    scene["mesh"]["boundary_conditions"]["plane_Z0"] = serde_json::json!("sliding");
+    scene["box_load"] = serde_json::json!([{
+        "point_p1": [0.3, 0.1, 0.4], "point_p2": [0.7, 0.4, 0.5], "force": [0.0, 0.0, -500.0]
+    }]);
+    let loaded = desk.scene("loaded.json", &scene);
+    let output = desk.run(&loaded, "run", &["--restart", &checkpoint]);
+    let told = stderr(&output);
+    assert_eq!(code(&output), 0, "{told}");
+    for words in [
+        "changed from here on: plane_Z0 sliding, fixed until then",
+        "changed from here on: box loads of [0.0, 0.0, -500.0] N in all, no box load until then",
+    ] {
+        assert!(told.contains(words), "{words}: {told}");
+    }
+    // What a plane bears is found at the start of a stage: refused with its place.
+    scene["mesh"]["boundary_conditions"]["plane_Z0"] = serde_json::json!("absorbing");
+    let absorbing = desk.scene("absorbing.json", &scene);
+    let output = desk.run(&absorbing, "run", &["--restart", &checkpoint]);
+    assert_eq!(code(&output), 2);
+    let told = stderr(&output);
+    for words in [
+        "absorbing.json:",
+        "mesh.boundary_conditions.plane_Z0: found \"absorbing\" after \"sliding\" in a restart",
+        "accepted: free, sliding and fixed planes alone",
+    ] {
+        assert!(told.contains(words), "{words}: {told}");
+    }
     // Other changes are named as before.
     scene["time_step"] = serde_json::json!(1e-5);
     let third = desk.scene("third.json", &scene);

@@ -51,6 +51,12 @@ impl PlaneCondition {
         std::array::from_fn(|along| self.prescribes(along, normal))
     }
 
+    /// True if it takes over forces that stand at the start.
+    #[must_use]
+    pub const fn bears_at_start(self) -> bool {
+        matches!(self, Self::Antisymmetric | Self::Absorbing)
+    }
+
     /// Its word.
     #[must_use]
     pub const fn word(self) -> &'static str {

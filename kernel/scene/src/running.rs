@@ -7,7 +7,7 @@ use proctor_contact::geometry::surface::NearestPoint;
 use proctor_contact::{
     BoundaryDrift, BoundaryHandle, BoundaryMesh, ContactHandle, SurfaceHandle, VertexState, queries,
 };
-use proctor_kernel::model::{Damping, History, Vector};
+use proctor_kernel::model::{Damping, History, PlaneCondition, Vector};
 use proctor_kernel::simulation::{BodyHandle, Cycle, SetupError};
 use std::ops::{Deref, DerefMut};
 
@@ -70,6 +70,23 @@ impl Simulation {
     pub fn set_gravity(&mut self, gravity: Vector) -> Result<(), SetupError> {
         self.cycle.set_gravity(gravity)?;
         self.scene.gravity = gravity;
+        Ok(())
+    }
+
+    /// Sets the conditions of the boundary planes of the mesh from here on: see [`set_planes`](Cycle::set_planes).
+    ///
+    /// # Errors
+    /// A plane that becomes or ceases to be absorbing or antisymmetric; a scene with mortar contact, whose boundaries are cut by the
+    /// planes of the start.
+    pub fn set_planes(&mut self, planes: [[PlaneCondition; 2]; 3]) -> Result<(), SetupError> {
+        if !self.scene.mortar.boundaries.is_empty() {
+            return Err(refused(
+                "a boundary plane",
+                "its boundaries are cut by the planes of the start; accepted: a scene without mortar contact",
+            ));
+        }
+        self.cycle.set_planes(planes)?;
+        self.scene.mesh.planes = planes;
         Ok(())
     }
 

@@ -5,7 +5,7 @@
 //! on.
 
 use super::Cycle;
-use crate::model::{Damping, History, Vector};
+use crate::model::{Damping, History, PlaneCondition, Vector};
 use crate::simulation::values::{BodyHandle, SetupError};
 
 impl Cycle {
@@ -28,6 +28,25 @@ impl Cycle {
         self.set_conditions()?;
         self.state.ledger.dead_load_origin = self.dead_load_potential();
         Ok(())
+    }
+
+    /// Sets the conditions of the boundary planes of the mesh from here on: free, sliding or fixed.
+    ///
+    /// # Errors
+    /// A plane that is absorbing or antisymmetric, before or then: such planes take over forces that stand at the start, and their
+    /// edges depend on the planes beside them.
+    pub fn set_planes(&mut self, planes: [[PlaneCondition; 2]; 3]) -> Result<(), SetupError> {
+        let all = [self.model.settings.mesh.planes, planes];
+        let bearing = all.as_flattened().as_flattened().iter();
+        if let Some(plane) = bearing.copied().find(|plane| plane.bears_at_start()) {
+            return Err(refused(
+                "a boundary plane",
+                &format!("{}; accepted: free, sliding and fixed planes", plane.word()),
+            ));
+        }
+        self.model.settings.mesh.planes = planes;
+        self.state.start_spin = None;
+        self.set_conditions()
     }
 
     /// Prescribes the velocity of a body from here on, or with `None` releases it: it goes on with the velocity and the stress

@@ -1,6 +1,7 @@
 //! Errors of a run that cannot start or go on.
 
 use crate::output::{CheckpointError, OutputError};
+use proctor_scene::Problem;
 use proctor_scene::simulation::{SetupError, StepError};
 use thiserror::Error;
 
@@ -13,6 +14,9 @@ pub enum RunError {
     /// The checkpoint cannot be used. Bad input.
     #[error(transparent)]
     Checkpoint(#[from] CheckpointError),
+    /// A restart changes what needs a stage of its own. Bad input.
+    #[error("{0}")]
+    Refused(Box<Problem>),
     /// A file cannot be written or continued.
     #[error(transparent)]
     Output(#[from] OutputError),

@@ -18,6 +18,7 @@ mod files;
 mod forecast;
 mod grid;
 mod history;
+mod loads;
 mod probes;
 mod restart;
 mod schedule;
@@ -122,7 +123,7 @@ impl Run {
         &self.simulation
     }
 
-    /// Changes of a restart in words: gravity and local damping.
+    /// Changes of a restart in words: gravity, local damping, planes, box loads.
     #[must_use]
     pub fn changes(&self) -> &[String] {
         &self.changes

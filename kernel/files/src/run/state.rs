@@ -1,6 +1,7 @@
 //! The whole state of a simulation in a checkpoint, bit by bit.
 
-use super::{RunError, changeable};
+use super::changeable::{self, Changeable};
+use super::{RunError, loads};
 use crate::output::{Checkpoint, CheckpointError};
 use proctor_kernel::particles::ParticleSet;
 use proctor_kernel::stage::g2p::ParticleMaxima;
@@ -12,8 +13,8 @@ use proctor_scene::simulation::{
 use proctor_scene::{Results, Scene, StateFile};
 use std::path::PathBuf;
 
-/// Fingerprint of what a scene simulates: not its name, its end, its gravity, its local damping, its outputs or its threads,
-/// which a restart may change.
+/// Fingerprint of what a scene simulates: not its name, its end, its gravity, its local damping, its planes, its box
+/// loads, its outputs or its threads, which a restart may change.
 pub(super) fn fingerprint(scene: &Scene) -> u64 {
     let what = Scene {
         name: String::new(),
@@ -43,7 +44,7 @@ pub(super) fn save(simulation: &Simulation) -> Checkpoint {
     let mut checkpoint = Checkpoint::new(fingerprint(simulation.scene()));
     checkpoint.push::<u64>("counters", counters(&saved.state).to_vec());
     checkpoint.push::<f64>("numbers", numbers(&saved.state).to_vec());
-    changeable::save(simulation.scene(), &mut checkpoint);
+    Changeable::of(simulation.scene()).save(&mut checkpoint);
     let mesh = &simulation.scene().mesh;
     checkpoint.push::<f64>("mesh", [mesh.origin, mesh.cell].concat());
     let bodies = simulation.scene().bodies.iter();
@@ -102,13 +103,15 @@ pub(super) fn text(bytes: &[u64]) -> String {
     String::from_utf8_lossy(&bytes).into_owned()
 }
 
-/// Puts the state of a checkpoint, whose fingerprint was compared, into a simulation of the same scene.
+/// Puts the state of a checkpoint, whose fingerprint was compared, into a simulation of the same scene; where its box loads are new,
+/// the particles keep those.
 pub(super) fn restore(
     simulation: &mut Simulation,
     checkpoint: &Checkpoint,
+    new_loads: bool,
 ) -> Result<(), RunError> {
     // The state at the start has every list that the scene needs, with its length.
-    let saved = read(checkpoint, simulation.save())?;
+    let saved = read(checkpoint, simulation.save(), new_loads)?;
     simulation.restore(saved).map_err(misfit)?;
     Ok(())
 }
@@ -169,7 +172,11 @@ fn numbers(state: &State) -> [f64; 18] {
 }
 
 /// The state in a checkpoint; `like` is one of the same scene.
-fn read(checkpoint: &Checkpoint, like: SavedState) -> Result<SavedState, CheckpointError> {
+fn read(
+    checkpoint: &Checkpoint,
+    like: SavedState,
+    new_loads: bool,
+) -> Result<SavedState, CheckpointError> {
     let counters = checkpoint.array::<u64>("counters", 4)?;
     let numbers = checkpoint.array::<f64>("numbers", 18)?;
     let mut state = State {
@@ -206,10 +213,14 @@ fn read(checkpoint: &Checkpoint, like: SavedState) -> Result<SavedState, Checkpo
         let id = checkpoint.values::<u64>(&format!("set{i}/id"))?;
         let layers = checkpoint.array::<u64>(&format!("set{i}/layers"), set.layers.len())?;
         let was = checkpoint.array::<f64>(&format!("set{i}/found"), 5)?;
-        for (c, column) in set.columns.iter_mut().enumerate() {
-            *column = checkpoint
-                .array::<f64>(&format!("set{i}/column{c}"), id.len())?
-                .to_vec();
+        if new_loads {
+            let change = loads::take(checkpoint, i, set, id, state.mesh_shift)?;
+            state.ledger.dead_load_origin += change;
+        } else {
+            for (c, column) in set.columns.iter_mut().enumerate() {
+                let name = format!("set{i}/column{c}");
+                *column = checkpoint.array::<f64>(&name, id.len())?.to_vec();
+            }
         }
         set.id = id.to_vec();
         set.layers = layers.iter().map(|&l| l as usize).collect();

@@ -77,7 +77,7 @@ pub enum CheckpointError {
     /// The checkpoint belongs to another scene.
     #[error(
         "checkpoint of another scene: fingerprint {found:016x}, this scene has {expected:016x}. A restart may change `time`, \
-         `until`, `gravity`, local damping, outputs, probes and threads; a scene with other changes is a stage of its own, which \
+         `until`, `gravity`, local damping, planes, `box_load`, outputs, probes and threads; a scene with other changes is a stage of its own, which \
          begins from a checkpoint by `initial_state`"
     )]
     OtherScene {

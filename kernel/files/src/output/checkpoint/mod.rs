@@ -18,7 +18,7 @@ use super::atomic;
 pub const CHECKPOINT: &str = "checkpoint.bin";
 
 /// Version of the format that this program writes and reads.
-pub const VERSION: u32 = 4;
+pub const VERSION: u32 = 5;
 
 /// The state of a run as named arrays.
 #[derive(Clone, Debug, Default, PartialEq)]
