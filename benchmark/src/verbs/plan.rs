@@ -6,6 +6,7 @@ mod ground;
 use super::settings::bounded;
 use super::stages;
 use crate::exit::{Failure, Outcome};
+use crate::measure::Stopwatch;
 use crate::say::say;
 use crate::show::{Table, bytes, grouped};
 use clap::Args;
@@ -69,8 +70,11 @@ fn show(scene: &Scene, places: &SourceMap, out: &mut dyn Write) -> Result<(), Fa
             words(Memory::of_machine().bytes() as f64)
         );
     }
-    let mut simulation = Simulation::new(scene, &options)
+    let mut stopwatch = Stopwatch::default();
+    let mut simulation = stopwatch
+        .time(|| Simulation::new(scene, &options))
         .map_err(|error| Failure::BadInput(places.of_setup(&error)))?;
+    let set_up = stopwatch.spent.cpu.as_secs_f64();
     let mut plan = simulation.plan().clone();
     // The plan fills bodies that begin from a state anew: their stress is in the state, which is not there yet.
     if scene.initial_state.is_some() || seeks_balance(scene) {
@@ -119,7 +123,12 @@ fn show(scene: &Scene, places: &SourceMap, out: &mut dyn Write) -> Result<(), Fa
     if let Some(line) = ground::imbalance(scene, &mut simulation) {
         writeln!(out, "\n{line}")?;
     }
-    let forecast = Forecast::new(scene, places, &mut simulation, plan.warnings.len());
+    let forecast = Forecast::new(
+        scene,
+        places,
+        &mut simulation,
+        (set_up, plan.warnings.len()),
+    );
     write!(out, "\n{forecast}")?;
     Ok(())
 }

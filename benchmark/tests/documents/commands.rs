@@ -44,7 +44,11 @@ fn how(arguments: &[&str]) -> RunMode {
         ["verify", "refine", ..] => {
             RunMode::NotRun("the kept ladders are not there; tests/command/refine.rs reads them")
         }
-        ["refine", "earthquake.json", ..] => RunMode::NotRun(
+        [
+            "refine",
+            "earthquake.json" | "fixtures/scenes/ground/quarry.json",
+            ..,
+        ] => RunMode::NotRun(
             "three meshes of a slope take a quarter of a minute; tests/command/stages.rs refines a column",
         ),
         ["verify", "mill", ..] => {

@@ -1,10 +1,10 @@
 //! Forecast of a run from a few steps of the scene itself: steps, time, memory, output.
 
-use crate::measure::Stopwatch;
+use crate::measure::{Spent, Stopwatch};
 use crate::show::{bytes, grouped, number, seconds};
 use crate::verbs::run::{bound_words, row};
 use proctor_files::json::SourceMap;
-use proctor_files::run::{OutputForecast, StepForecast, next_stop};
+use proctor_files::run::{HistoryRows, OutputForecast, STEPS_PER_LOOK, StepForecast, next_stop};
 use proctor_kernel::memory::words;
 use proctor_scene::Scene;
 use proctor_scene::simulation::{Bound, Simulation, StepInfo, estimate_memory};
@@ -27,12 +27,12 @@ pub(super) struct Forecast {
 }
 
 impl Forecast {
-    /// Takes a few steps of a scene that was set up, with a number of warnings.
+    /// Takes a few steps of a scene that was set up in so much time \[s\], with a number of warnings.
     pub(super) fn new(
         scene: &Scene,
         places: &SourceMap,
         simulation: &mut Simulation,
-        warnings: usize,
+        (set_up, warnings): (f64, usize),
     ) -> Self {
         let mut rows = vec![];
         let (infos, fault) = Self::steps(scene, places, simulation);
@@ -50,15 +50,26 @@ impl Forecast {
                 format!(", if they stay as long as the first {}", infos.len())
             };
             rows.push(("steps", grouped(steps.steps) + &about));
-            let output = OutputForecast::new(simulation, &steps);
-            // A row of the history costs about a step.
-            let time = median(&infos) * (steps.steps + output.history_rows) as f64;
+            let mut stopwatch = Stopwatch::default();
+            let output = stopwatch.time(|| OutputForecast::new(simulation, &steps));
+            let counts = RunCounts {
+                steps: steps.steps,
+                rows: output.history_rows,
+                outputs: output.frames,
+                files: output.files(),
+                bytes: output.bytes_written(),
+                has_end: scene.until.is_some(),
+            };
+            let one_output = stopwatch.spent.cpu.as_secs_f64();
+            let cost = RunCost::new(&infos, simulation, set_up, one_output);
+            let time = cost.of(&counts);
             let threads = match simulation.threads() {
                 1 => "1 thread".to_owned(),
                 n => format!("{n} threads"),
             };
+            let about = if counts.has_end { "at most" } else { "about" };
             let text = format!(
-                "about {} on {threads} of this machine, by its first {} steps",
+                "{about} {} on {threads} of this machine, by its first {} steps",
                 seconds(time),
                 infos.len()
             );
@@ -84,21 +95,26 @@ impl Forecast {
         places: &SourceMap,
         simulation: &mut Simulation,
     ) -> (Vec<(StepInfo, f64)>, Option<String>) {
-        let mut infos: Vec<(StepInfo, f64)> = vec![];
-        let mut spent = 0.0;
-        while let Some(stop) = next_stop(scene, simulation.time()) {
-            let mut stopwatch = Stopwatch::default();
-            match stopwatch.time(|| simulation.step(stop)) {
-                Ok(info) => infos.push((info, stopwatch.spent.wall.as_secs_f64())),
-                Err(error) => return (infos, Some(places.of_step(&error))),
+        let team = simulation.team();
+        let is_alone = simulation.threads() == 1;
+        team.lead(|| {
+            let mut infos: Vec<(StepInfo, f64)> = vec![];
+            let mut spent = 0.0;
+            while let Some(stop) = next_stop(scene, simulation.time()) {
+                let mut stopwatch = Stopwatch::default();
+                let info = match stopwatch.time_thread(|| simulation.step(stop)) {
+                    Ok(info) => info,
+                    Err(error) => return (infos, Some(places.of_step(&error))),
+                };
+                infos.push((info, own(stopwatch.spent, is_alone)));
+                spent += stopwatch.spent.wall.as_secs_f64();
+                let is_enough = spent > ENOUGH && infos.len() >= LEAST;
+                if is_enough || infos.len() == MOST {
+                    break;
+                }
             }
-            spent += stopwatch.spent.wall.as_secs_f64();
-            let is_enough = spent > ENOUGH && infos.len() >= LEAST;
-            if is_enough || infos.len() == MOST {
-                break;
-            }
-        }
-        (infos, None)
+            (infos, None)
+        })
     }
 }
 
@@ -122,12 +138,95 @@ fn typical(infos: &[(StepInfo, f64)]) -> Option<(StepInfo, Bound)> {
     Some((longest, bound.unwrap_or(longest.bound)))
 }
 
-/// Median time of a step \[s\].
-fn median(infos: &[(StepInfo, f64)]) -> f64 {
+/// Time of the parts of a run \[s\], each as it was found on this machine.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct RunCost {
+    /// The bodies filled with particles.
+    set_up: f64,
+    /// A step.
+    step: f64,
+    /// A row of the history: the balance of energy maps the particles once more, and goes over them.
+    row: f64,
+    /// A frame and a checkpoint, in memory.
+    output: f64,
+}
+
+/// Numbers of the parts of a run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct RunCounts {
+    steps: u64,
+    /// Rows of the history.
+    rows: u64,
+    /// Frames, each with a checkpoint.
+    outputs: u64,
+    /// Files that are written at the outputs: a frame, the list of the frames and a checkpoint each.
+    files: u64,
+    /// Bytes that are written.
+    bytes: u64,
+    /// True where forces in balance end the run.
+    has_end: bool,
+}
+
+/// Time in which a byte gets into a file \[s\]: a copy and a checksum.
+const PER_BYTE: f64 = 1e-9;
+/// Time in which a file is made, made safe on the disk and given its name \[s\]: 1 to 2 ms of the processor here.
+const PER_FILE: f64 = 1.5e-3;
+/// Rows that are timed.
+const ROWS: u32 = 3;
+
+impl RunCost {
+    /// Costs of the steps that were taken, of a row of the state behind them, and of what else was timed \[s\]: the set-up, and an
+    /// output in memory.
+    fn new(
+        infos: &[(StepInfo, f64)],
+        simulation: &mut Simulation,
+        set_up: f64,
+        output: f64,
+    ) -> Self {
+        let rows = HistoryRows::new(simulation);
+        let is_alone = simulation.threads() == 1;
+        let mut stopwatch = Stopwatch::default();
+        for _ in 0..ROWS {
+            stopwatch.time_thread(|| {
+                let energy = simulation.energy();
+                rows.row(simulation, &energy)
+            });
+        }
+        Self {
+            set_up,
+            step: mean(infos),
+            row: own(stopwatch.spent, is_alone) / f64::from(ROWS),
+            output,
+        }
+    }
+
+    /// Time of a run with so many parts \[s\].
+    fn of(&self, counts: &RunCounts) -> f64 {
+        let looks = if counts.has_end {
+            counts.steps / STEPS_PER_LOOK
+        } else {
+            0
+        };
+        self.set_up
+            + self.step * (counts.steps + looks) as f64
+            + self.row * counts.rows as f64
+            + self.output * counts.outputs as f64
+            + PER_FILE * counts.files as f64
+            + PER_BYTE * counts.bytes as f64
+    }
+}
+
+/// Time of work \[s\]: that of the processor where one thread does it, since others may keep the processor busy meanwhile.
+fn own(spent: Spent, is_alone: bool) -> f64 {
+    let Spent { wall, cpu } = spent;
+    if is_alone { cpu } else { wall }.as_secs_f64()
+}
+
+/// Mean time of a step \[s\]: some of them sort the particles, and take longer.
+fn mean(infos: &[(StepInfo, f64)]) -> f64 {
     let skipped = FIRST.min(infos.len() - 1);
-    let mut times: Vec<f64> = infos[skipped..].iter().map(|(_, time)| *time).collect();
-    times.sort_unstable_by(f64::total_cmp);
-    times[times.len() / 2]
+    let times = infos[skipped..].iter().map(|(_, time)| time);
+    times.sum::<f64>() / (infos.len() - skipped) as f64
 }
 
 /// The files of a run in words.
@@ -152,4 +251,43 @@ fn words_of(output: &OutputForecast) -> String {
         parts.push(format!("checkpoint {}", bytes(output.checkpoint_bytes)));
     }
     format!("{}: {}", bytes(output.bytes()), parts.join(", "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Each part counts as often as the run has it: doubling one count adds its own cost, and nothing else.
+    #[test]
+    fn the_time_of_a_run_is_the_sum_of_its_parts() {
+        let cost = RunCost {
+            set_up: 0.3,
+            step: 1e-3,
+            row: 2e-3,
+            output: 0.5,
+        };
+        let counts = RunCounts {
+            steps: 1000,
+            rows: 100,
+            outputs: 4,
+            files: 12,
+            bytes: 1_000_000_000,
+            has_end: false,
+        };
+        let near = |a: f64, b: f64| (a - b).abs() < 1e-12;
+        // Seconds of the set-up, the steps, the rows, the outputs, their files, the bytes.
+        assert!(near(cost.of(&counts), 0.3 + 1.0 + 0.2 + 2.0 + 0.018 + 1.0));
+        let twice = |change: fn(&mut RunCounts)| {
+            let mut other = counts;
+            change(&mut other);
+            cost.of(&other) - cost.of(&counts)
+        };
+        assert!(near(twice(|c| c.steps *= 2), 1.0));
+        assert!(near(twice(|c| c.rows *= 2), 0.2));
+        assert!(near(twice(|c| c.outputs *= 2), 2.0));
+        assert!(near(twice(|c| c.files *= 2), 0.018));
+        assert!(near(twice(|c| c.bytes *= 2), 1.0));
+        // A look at the balance of forces for every 50 steps.
+        assert!(near(twice(|c| c.has_end = true), 0.02));
+    }
 }

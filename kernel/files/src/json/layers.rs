@@ -68,6 +68,15 @@ impl Build<'_> {
                 );
             }
             let mut body = body;
+            if raw.layers.is_some() {
+                // Each layer would have its own.
+                self.stands_in(format!("{path}.material_id"));
+            }
+            if kind == Some(ShapeKind::Between) {
+                // The fault of its surface is told, and what would follow from the surface is none.
+                body.initial_stress = InitialStress::None;
+                return vec![body];
+            }
             let density = materials
                 .get(body.material)
                 .map(|material| material.density);

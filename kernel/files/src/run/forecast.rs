@@ -157,6 +157,21 @@ impl OutputForecast {
         found
     }
 
+    /// Files that are written, each time anew: at each output a frame of each kind, its list, and the checkpoint.
+    #[must_use]
+    pub fn files(&self) -> u64 {
+        let of_particles = u64::from(self.frame_bytes > 0);
+        let of_others = u64::from(self.other_frame_bytes > 0);
+        let checkpoint = u64::from(self.checkpoint_bytes > 0);
+        self.frames * (2 * of_particles + 2 * of_others + checkpoint)
+    }
+
+    /// Bytes of all files, the checkpoint as often as it is written.
+    #[must_use]
+    pub fn bytes_written(&self) -> u64 {
+        self.bytes() + self.checkpoint_bytes * self.frames.saturating_sub(1)
+    }
+
     /// Bytes of all files.
     #[must_use]
     pub fn bytes(&self) -> u64 {

@@ -1,13 +1,12 @@
 //! Box loads of a restart that changes them: other forces on the same particles.
 
-use super::state::text;
 use crate::output::{Checkpoint, CheckpointError};
 use proctor_kernel::layout::Layout;
 use proctor_kernel::particles::ParticleSet;
 use proctor_scene::Vector;
 use std::collections::HashMap;
 
-/// Gives the particles of a body that was filled the columns of a checkpoint, but for the forces of box loads: these are those with
+/// Gives the particles of a body that was filled its columns of a checkpoint, which have these names, but for the forces of box loads: these are those with
 /// which it was filled, particle by particle. Returns by how much the sum of force times position changes \[J\], where the mesh has
 /// moved by `shift` \[m\].
 ///
@@ -15,12 +14,11 @@ use std::collections::HashMap;
 /// A checkpoint that lacks a column.
 pub(super) fn take(
     checkpoint: &Checkpoint,
-    body: usize,
+    (body, names): (usize, &str),
     set: &mut ParticleSet,
     id: &[u64],
     shift: Vector,
 ) -> Result<f64, CheckpointError> {
-    let names = text(checkpoint.values::<u64>(&format!("set{body}/names"))?);
     let saved = |name: &str| {
         let place = names.lines().position(|own| own == name);
         place.map(|c| checkpoint.array::<f64>(&format!("set{body}/column{c}"), id.len()))

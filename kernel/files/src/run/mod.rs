@@ -55,7 +55,7 @@ pub enum RunControl {
 }
 
 /// Steps between two looks at the balance of forces, each of which costs a step.
-const STEPS_PER_LOOK: u64 = 50;
+pub const STEPS_PER_LOOK: u64 = 50;
 
 /// A simulation with its files.
 pub struct Run {

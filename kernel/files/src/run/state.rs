@@ -214,7 +214,8 @@ fn read(
         let layers = checkpoint.array::<u64>(&format!("set{i}/layers"), set.layers.len())?;
         let was = checkpoint.array::<f64>(&format!("set{i}/found"), 5)?;
         if new_loads {
-            let change = loads::take(checkpoint, i, set, id, state.mesh_shift)?;
+            let names = text(checkpoint.values::<u64>(&format!("set{i}/names"))?);
+            let change = loads::take(checkpoint, (i, &names), set, id, state.mesh_shift)?;
             state.ledger.dead_load_origin += change;
         } else {
             for (c, column) in set.columns.iter_mut().enumerate() {

@@ -64,6 +64,11 @@ fn steps_and_bytes_of_a_constant_step_are_those_of_the_run() {
             foretold.checkpoint_bytes,
             bytes(folder.path(), "checkpoint")
         );
+        // A frame, its list and a checkpoint at each output, and as much for nodes, but for their checkpoint.
+        let series = 1 + u64::from(!scene.results.nodal_fields.is_empty());
+        assert_eq!(foretold.files(), foretold.frames * (2 * series + 1));
+        let again = foretold.checkpoint_bytes * (foretold.frames - 1);
+        assert_eq!(foretold.bytes_written(), foretold.bytes() + again);
         let history = fs::read_to_string(folder.path().join("history.csv")).unwrap();
         assert_eq!(foretold.history_rows, history.lines().count() as u64 - 1);
     }

@@ -166,6 +166,26 @@ fn a_closed_surface_is_filled() {
     );
 }
 
+/// A hole is one fault: neither a material nor a level of the surface is missing because of it.
+#[test]
+fn a_hole_above_layers_is_told_alone() {
+    let hole = raster(10, 1.0, |_, _| 3.0).replacen("\n3 3", "\n-9999 3", 1);
+    let text = r#"{"dimension": 3, "time": 1, "gravity": [0, 0, -10],
+        "mesh": {"cells_dimension": [1, 1, 1], "cells_number": [10, 10, 6]},
+        "material": [{"type": "elastic", "id": 1, "young": 1e6, "poisson": 0.3, "density": 2000}],
+        "body": [{"id": 1, "type": "between", "lower": 0, "upper": "top.asc",
+        "layers": [{"material_id": 1, "base": 1}, {"material_id": 1}],
+        "initial_stress": {"type": "at_rest", "ratio": 0.5}}]}"#;
+    let files = folder(&[("top.asc", &hole)]);
+    let found = from_json(text, "ground.json", files.path());
+    let text = found.expect_err("a fault").to_string();
+    assert!(
+        text.contains("body[0].upper: found top.asc: no height at"),
+        "{text}"
+    );
+    assert_eq!(text.lines().count(), 1, "{text}");
+}
+
 #[test]
 fn each_fault_is_told_with_its_place() {
     let body = r#""type": "between", "lower": 0, "upper": "top.asc""#;
