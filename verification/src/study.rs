@@ -111,6 +111,23 @@ impl Study {
         self.plan.path.rungs(size)
     }
 
+    /// The method of the case.
+    #[must_use]
+    pub fn own_method(&self, size: Size) -> Option<Method> {
+        let rung = self.path(size).into_iter().next()?;
+        Some(self.case.own_settings(&rung).method)
+    }
+
+    /// The path of refinement of a method: that of the case goes on beyond the others where the plan says so.
+    #[must_use]
+    pub fn path_of(&self, size: Size, method: Method) -> Vec<Rung> {
+        let mut path = self.path(size);
+        if self.own_method(size) == Some(method) {
+            path.extend(self.plan.own_path.rungs(size));
+        }
+        path
+    }
+
     /// Errors that are studied: displacement (or velocity) first.
     #[must_use]
     pub fn measures(&self) -> &'static [Measure] {

@@ -22,6 +22,8 @@ pub struct Effort {
     pub size: Size,
     /// Runs of each point, of which the fastest counts.
     pub repetitions: usize,
+    /// The method of each case alone, along its path without sweeps.
+    pub own: bool,
 }
 
 /// One set of settings on one resolution.
@@ -58,7 +60,8 @@ pub struct Plan {
 impl Plan {
     /// The runs of a case, line by line.
     #[must_use]
-    pub fn new(study: Study, size: Size) -> Self {
+    pub fn new(study: Study, effort: Effort) -> Self {
+        let size = effort.size;
         let path = study.path(size);
         let middle = path.get(path.len() / 2);
         let mut plan = Self {
@@ -66,7 +69,11 @@ impl Plan {
             lines: vec![],
         };
         let tried = |method: &Method| study.tries(size, *method);
-        for method in methods(size).into_iter().filter(tried) {
+        let mut tries: Vec<Method> = methods(size).into_iter().filter(tried).collect();
+        if effort.own {
+            tries = study.own_method(size).into_iter().collect();
+        }
+        for method in tries {
             let base = Settings {
                 allow_unstable: true,
                 particles_per_cell: PARTICLES_PER_CELL,
@@ -82,11 +89,13 @@ impl Plan {
             };
             let mut line = Line {
                 method,
-                path: path.iter().map(|rung| add(rung, base)).collect(),
+                path: (study.path_of(size, method).iter())
+                    .map(|rung| add(rung, base))
+                    .collect(),
                 courant: vec![],
                 particles: vec![],
             };
-            if let (Some(rung), Size::Full) = (middle, size) {
+            if let (Some(rung), Size::Full, false) = (middle, size, effort.own) {
                 let courant = base.courant_or_automatic();
                 for share in COURANT_SWEEP {
                     line.courant.push(add(rung, base.courant(share * courant)));

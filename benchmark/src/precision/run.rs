@@ -202,7 +202,7 @@ pub fn run(
     interrupt: &AtomicBool,
     progress: &mut dyn FnMut(f64),
 ) -> CaseStudy {
-    let plan = Plan::new(study, effort.size);
+    let plan = Plan::new(study, effort);
     let count = plan.choices.len().max(1) as f64;
     let mut runs = vec![];
     for (i, choice) in plan.choices.iter().enumerate() {

@@ -102,6 +102,7 @@ impl Arena {
             effort: Effort {
                 size: if self.quick { Size::Quick } else { Size::Full },
                 repetitions,
+                own: false,
             },
             longest: Duration::try_from_secs_f64(self.longest).ok(),
             threads,

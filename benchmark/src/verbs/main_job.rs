@@ -308,6 +308,7 @@ impl Job<'_> {
         let effort = Effort {
             size: Size::Quick,
             repetitions: 1,
+            own: false,
         };
         let amount = self.amount;
         let studies = study::all();

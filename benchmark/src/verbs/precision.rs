@@ -44,6 +44,10 @@ pub struct Precision {
     /// Only the usual methods on coarse meshes, without sweeps
     #[arg(long)]
     quick: bool,
+    /// Only the method of each case itself, without sweeps. Several cases that study the same error are set beside each
+    /// other: what 1 % costs with each, and a chart of both
+    #[arg(long)]
+    own: bool,
     /// Write a record of all runs (Google Benchmark JSON)
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -97,6 +101,7 @@ impl Precision {
         let effort = Effort {
             size: if self.quick { Size::Quick } else { Size::Full },
             repetitions: self.repetitions.get(),
+            own: self.own,
         };
         let executables = self.executables()?;
         let folder = Folder::new(self.keep.as_deref())?;
@@ -153,6 +158,9 @@ impl Precision {
                 record.set_incomplete(true);
                 break;
             }
+        }
+        if self.own {
+            show::beside::cases(&studied, out)?;
         }
         self.write(&record, &studied, out)?;
         Ok(if interrupt.raised() {
@@ -241,6 +249,18 @@ impl Precision {
         if let Some(folder) = &self.svg {
             for studied in studied {
                 charts(studied, folder, out)?;
+            }
+            if self.own {
+                for word in show::beside::words(studied) {
+                    let of = show::beside::of(studied, word);
+                    let names = of.iter().map(|(studied, _)| studied.study.name());
+                    let names: Vec<&str> = names.collect();
+                    let path = folder.join(format!("{}-{word}.svg", names.join("-")));
+                    let svg = figures::cases_beside(&of, word).to_svg();
+                    atomic::write(&path, |file| file.write_all(svg.as_bytes()))
+                        .map_err(Failure::bad_input)?;
+                    writeln!(out, "chart in {}", path.display())?;
+                }
             }
         }
         Ok(())

@@ -51,8 +51,8 @@ pub fn columns(edges: &[f64], stress: [f64; 4], full: bool) -> ParticleSet {
     set
 }
 
-/// The largest force on a node inside, over stress and cell.
-fn force_inside(mut set: ParticleSet, stencil: usize, full: bool) -> f64 {
+/// The nodes with the forces of particles, ghosts not folded, and their places.
+fn forces(mut set: ParticleSet, stencil: usize, full: bool) -> (GridShape, Nodes) {
     let shape = GridShape::new(
         &mesh(Dimension::Two, [CELLS[0], CELLS[1], 1], H),
         Dimension::Two,
@@ -83,6 +83,12 @@ fn force_inside(mut set: ParticleSet, stencil: usize, full: bool) -> f64 {
         },
     );
     nodes.lines_mut().iter_mut().for_each(p2g::join_with_hoop);
+    (shape, nodes)
+}
+
+/// The largest force on a node inside, over stress and cell.
+fn force_inside(set: ParticleSet, stencil: usize, full: bool) -> f64 {
+    let (shape, nodes) = forces(set, stencil, full);
     let mut most = 0.0_f64;
     for plane in 0..CELLS[0] {
         // What a node beyond the axis has is folded: its radial force against that of its mirror image.
@@ -158,4 +164,30 @@ fn a_hoop_stress_alone_is_a_force() {
     let force = force_inside(columns(&edges, [0.0, 0.0, 1.0, 0.0], false), 3, false);
     // 2 pi sigma h per height and width of a cell.
     assert!((force / TAU - 1.0).abs() < 0.1, "{force}");
+}
+
+/// A domain that the motion takes across the axis goes on in its mirror image. Velocities along the axis are even in the radius:
+/// with the slope s beside the axis the domain from r - l to r + l has (|r + l| - |r - l|)/(2 l) = r/l of it as shear strain rate.
+/// A weight with the radius would give it a shear that grows like 1/r.
+#[test]
+fn a_domain_across_the_axis_has_the_shear_of_its_mirror_image() {
+    let (r, half) = (0.1, 0.25);
+    for full in [false, true] {
+        for stencil in [3, 4] {
+            let set = columns(&[r - half, r + half], [0.0, 0.0, 0.0, 1.0], full);
+            let volume: f64 = set.columns[Layout::VOLUME].iter().sum();
+            let (shape, nodes) = forces(set, stencil, full);
+            // The node beside the axis and its mirror image move along the axis, by the slope 1/h.
+            let line = |plane: usize| {
+                let nodes = nodes.lines();
+                (0..shape.nodes[2]).map(move |k| nodes[plane * shape.plane_nodes() + k][5])
+            };
+            let force: f64 = line(GHOSTS_BELOW + 1).chain(line(GHOSTS_BELOW - 1)).sum();
+            let exact = -volume / H * r / half;
+            assert!(
+                (force / exact - 1.0).abs() < ROUND_OFF,
+                "{stencil} nodes, {full}: {force} {exact}"
+            );
+        }
+    }
 }

@@ -47,6 +47,8 @@ pub struct Plan {
     pub name: Option<&'static str>,
     /// The path of refinement of each size, coarse to fine.
     pub path: Ladder,
+    /// Finer rungs, with which the method of the case alone goes on.
+    pub own_path: Ladder,
     /// Errors that are studied: displacement (or velocity) first.
     pub measures: &'static [Measure],
     /// Number of axes that refinement multiplies cells along.
@@ -62,6 +64,7 @@ impl Plan {
         Self {
             name: None,
             path,
+            own_path: Ladder::NONE,
             measures,
             axes,
             tries: |_, _| true,
@@ -72,6 +75,13 @@ impl Plan {
     #[must_use]
     pub const fn named(mut self, name: &'static str) -> Self {
         self.name = Some(name);
+        self
+    }
+
+    /// The same where the method of the case goes on with finer rungs, which would take too long with every method.
+    #[must_use]
+    pub const fn going_on(mut self, own_path: Ladder) -> Self {
+        self.own_path = own_path;
         self
     }
 

@@ -10,8 +10,8 @@
 //! ends before. `proctor verify half-space`.
 
 use super::prelude::*;
+use super::vocabulary::far_boundary::FarBoundary;
 use crate::exact::half_space::HalfSpace;
-use std::collections::BTreeMap;
 
 const DISC: f64 = 1.0; // Radius of the disc [m]
 const FAR: f64 = 4.0; // Radius and depth of the cylinder [m]
@@ -159,68 +159,10 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
     scene
 }
 
-/// Moves the nodes of the mantle and of the bottom, and those beyond, to where the exact half-space has them, at a constant speed until
-/// `end`.
-struct FarBoundary {
-    cell: f64,
-    /// Time at which they stand \[s\].
-    end: f64,
-    /// Displacement of each \[m\] by its place in cells.
-    nodes: BTreeMap<[i64; 2], Vector>,
-}
-
-impl FarBoundary {
-    fn displacement(&self, x: Vector) -> Option<Vector> {
-        let place = [x[0], x[1]].map(|x| (x / self.cell).round() as i64);
-        self.nodes.get(&place).copied()
-    }
-
-    fn prescribe(&self, field: &mut FieldNodes<'_, '_>) {
-        let (time, kick) = (field.time(), field.kick());
-        let speed = |time: f64| {
-            if time > 0.0 && time < self.end {
-                1.0 / self.end
-            } else {
-                0.0
-            }
-        };
-        let [before, after] = [time - kick, time].map(speed);
-        field.for_each(|node| {
-            if let Some(u) = self.displacement(node.position()) {
-                node.prescribe(u.map(|u| before * u), u.map(|u| after * u));
-            }
-        });
-    }
-}
-
-impl Condition for FarBoundary {
-    fn after(&self, field: &mut FieldNodes<'_, '_>) {
-        self.prescribe(field);
-    }
-
-    fn remap(&self, field: &mut FieldNodes<'_, '_>) {
-        self.prescribe(field);
-    }
-}
-
 fn far_boundary(rung: &Rung, _: Reference, options: Options) -> Options {
-    let h = rung.cell;
     let exact = exact(1.0);
-    let count = cells(FAR, h) as i64;
-    let mut nodes = BTreeMap::new();
-    for i in 0..=count + BEYOND as i64 {
-        for j in -(BEYOND as i64)..=count {
-            if i >= count || j <= 0 {
-                let x = [i as f64 * h, j as f64 * h, 0.0];
-                nodes.insert([i, j], displacement(&exact, rung.variant, x));
-            }
-        }
-    }
-    options.with_condition(FarBoundary {
-        cell: h,
-        end: ramp(),
-        nodes,
-    })
+    let moved = |x| displacement(&exact, rung.variant, x);
+    options.with_condition(FarBoundary::new(rung.cell, [FAR, ramp()], BEYOND, moved))
 }
 
 /// Time until the far boundary has moved \[s\].

@@ -60,7 +60,11 @@ pub static HERTZ_BALL: Case = Case::new(
 .wrong_references(&[WRONG_LOAD])
 .studies(&[Plan::new(
     Ladder::cells("ball", "a/h", CONTACT, &[2, 4], &[2, 4, 8]),
-    &[Measure::new("pressure", L2), Measure::new("peak", PEAK)],
+    &[
+        Measure::new("pressure", L2),
+        Measure::new("peak", PEAK),
+        Measure::new("radius", WIDTH),
+    ],
     2,
 )
 .trying(few)])

@@ -62,9 +62,14 @@ pub static HERTZ_SPHERE: Case = Case::new(
 .wrong_references(&[WRONG_LOAD])
 .studies(&[Plan::new(
     Ladder::made(path),
-    &[Measure::new("pressure", L2), Measure::new("peak", PEAK)],
+    &[
+        Measure::new("pressure", L2),
+        Measure::new("peak", PEAK),
+        Measure::new("radius", WIDTH),
+    ],
     3,
 )
+.going_on(Ladder::made(finer))
 .trying(few)])
 .no_guest("only the pressure of the contact is known exactly, and frames of particles hold none");
 
@@ -315,5 +320,13 @@ fn path(size: Size) -> Vec<Rung> {
     of_cells(match size {
         Size::Quick => &[1.2, 0.6],
         Size::Full => &[1.5, 0.75, 0.375],
+    })
+}
+
+/// Rungs beyond the path, down to an error of 1 % in peak and radius.
+fn finer(size: Size) -> Vec<Rung> {
+    of_cells(match size {
+        Size::Quick => &[],
+        Size::Full => &[0.25],
     })
 }

@@ -23,6 +23,7 @@ mod column_early;
 mod column_modal;
 mod column_terzaghi;
 mod corner_block;
+mod cylinder_core;
 mod element;
 mod fluid;
 mod footing;
@@ -42,6 +43,7 @@ mod incompressible_box;
 mod ironing;
 mod plastic_wave;
 mod prelude;
+mod punch;
 mod radial_vibration;
 mod revolved;
 mod rings;
@@ -154,7 +156,9 @@ list! {
     ironing::[IRONING],
     grains::[GRAINS],
     thick_cylinder::[THICK_CYLINDER],
+    cylinder_core::[CYLINDER_CORE],
     half_space::[HALF_SPACE],
+    punch::[RIGID_PUNCH],
     half_space_boxes::[HALF_SPACE_BOXES],
     radial_vibration::[RADIAL_VIBRATION],
     column_modal::[COLUMN_MODAL],

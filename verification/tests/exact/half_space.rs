@@ -70,3 +70,36 @@ fn the_axis_has_the_known_numbers() {
         max_relative = 1e-14
     );
 }
+
+#[test]
+fn a_punch_is_a_sum_of_points_with_a_flat_middle() {
+    let punch = [2e-3, 0.5];
+    let load = SPACE.punch_load(punch);
+    assert_relative_eq!(load, 2.0 * 1000.0 * 0.5 * 2e-3 / 0.91, max_relative = 1e-14);
+    // Far away it is one point.
+    let far = SPACE.punch_displacement(punch, [300.0, 400.0]);
+    let point = SPACE.point_displacement(load, 300.0, 400.0);
+    assert_relative_eq!(far[0], point[0], max_relative = 1e-5);
+    assert_relative_eq!(far[1], point[1], max_relative = 1e-5);
+    // The surface beside it sinks by 2 d/pi asin(a/r) (Johnson 1985, eq. 3.38).
+    for radius in [0.75_f64, 1.5, 4.0] {
+        let down = SPACE.punch_displacement(punch, [radius, 0.0])[1];
+        let exact = 2.0 * 2e-3 / PI * (0.5 / radius).asin();
+        assert_relative_eq!(down, exact, max_relative = 1e-9);
+    }
+    // On the axis, stress from the strain of the displacement, by differences.
+    let (z, h) = (0.9, 1e-4);
+    let u = |r: f64, z: f64| SPACE.punch_displacement(punch, [r, z]);
+    let (across, along) = (
+        u(h, z)[0] / h,
+        (u(0.0, z + h)[1] - u(0.0, z - h)[1]) / (2.0 * h),
+    );
+    let shear = 1000.0 / 2.6;
+    let lame = 2.0 * shear * 0.3 / 0.4;
+    let stress = lame * (2.0 * across + along) + 2.0 * shear * along;
+    assert_relative_eq!(
+        stress,
+        SPACE.punch_axis_stress(punch, z),
+        max_relative = 1e-5
+    );
+}

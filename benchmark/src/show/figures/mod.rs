@@ -1,6 +1,7 @@
 //! Charts of what was computed: error against time, convergence, curves, speed.
 
 mod arena;
+mod beside;
 pub mod history;
 mod precision;
 pub mod refine;
@@ -8,6 +9,7 @@ pub mod runs;
 mod slopes;
 
 pub use arena::{arena, arena_charts, arena_legend};
+pub use beside::cases_beside;
 pub use precision::error_against_time;
 
 use super::chart::{

@@ -161,7 +161,7 @@ fn look(method: Method) -> (Colour, Mark, Stroke) {
 }
 
 /// A run as a point; `None` if it was not run.
-fn point(studied: &CaseStudy, measure: usize, i: usize) -> Option<Point> {
+pub(super) fn point(studied: &CaseStudy, measure: usize, i: usize) -> Option<Point> {
     let (choice, run) = (&studied.plan.choices[i], studied.runs.get(i)?);
     let settings = &choice.settings;
     let time = studied.seconds(i)?;

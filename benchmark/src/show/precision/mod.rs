@@ -1,5 +1,6 @@
 //! A study as a table: the best combination first.
 
+pub mod beside;
 pub mod guests;
 
 use super::{Table, columns, grouped, number, paragraph, seconds, shortened};

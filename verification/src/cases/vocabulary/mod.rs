@@ -1,5 +1,6 @@
 //! Vocabulary of the cases: nouns that several of them need.
 
+pub mod far_boundary;
 pub mod incline;
 pub mod mortar;
 pub mod moved;
