@@ -7,9 +7,11 @@ use crate::physics::contact::pair;
 use proctor_laws::Tresca;
 use proctor_scene::simulation::Simulation;
 use proctor_scene::{
-    BoxLoad, Damping, Dimension, DomainUpdate, History, PlaneCondition, Scene, StressScheme,
-    Weighting,
+    BoxLoad, Damping, Dimension, DomainUpdate, History, ParticleSeed, PlaneCondition, Scene, Shape,
+    StressScheme, Weighting,
 };
+use std::f64::consts::TAU;
+use std::sync::Arc;
 
 /// Edge of a cell \[m\], Young's modulus and pressure \[Pa\], cells of the block.
 const H: f64 = 0.05;
@@ -360,6 +362,59 @@ fn a_grip_holds_a_bar_in_tension() {
                     assert!((share - 1.0).abs() < 0.05, "{weighting:?} {theta}: {share}");
                 }
             }
+        }
+    }
+}
+
+/// Force of a still plate, after five steps, on squares of half a cell that fall towards it from a gap of `gap` cells: they are
+/// given one by one, by place and volume.
+fn force_on_squares(weighting: Weighting, axisymmetric: bool, gap: f64) -> f64 {
+    let face = 2.5 * H;
+    let mut scene = empty(Dimension::Two, [12, 12, 1], H);
+    scene.weighting = weighting;
+    scene.mesh.axisymmetric = axisymmetric;
+    scene.mesh.planes[0][0] = PlaneCondition::Sliding;
+    scene.materials = vec![material(elastic(YOUNG, 0.3))];
+    let mut plate = body(1, cuboid([0.0; 3], [12.0 * H, face, 0.0]));
+    plate.motion = Some(moves([0.0; 3]));
+    let side = 0.5 * H;
+    let at = |k: usize| (k as f64 + 0.5) * side;
+    let seeds = (0..20).flat_map(|i| {
+        (0..4).map(move |k| ParticleSeed {
+            position: [at(i), face + gap * H + at(k), 0.0],
+            volume: side * side * if axisymmetric { TAU * at(i) } else { 1.0 },
+        })
+    });
+    let mut squares = body(2, Shape::Particles(Arc::new(seeds.collect())));
+    squares.velocity = [0.0, -0.1, 0.0];
+    scene.bodies = vec![plate, squares];
+    for body in &mut scene.bodies {
+        body.particles_per_cell = [2, 2, 1];
+    }
+    scene.contacts = vec![pair(1, 1, 2, 0.0)];
+    let mut simulation = simulation(&scene);
+    let mut most = 0.0_f64;
+    for _ in 0..5 {
+        simulation.step(NEVER).expect("a step");
+        most = most.max(simulation.contact_force(1)[1]);
+    }
+    most
+}
+
+/// A weighting function without a domain leaves a particle the square of its volume. Its cube made it wider than a cell in the
+/// plane, and the wider the farther it is from an axis: a ball stood on a ring that it did not touch.
+#[test]
+fn particles_of_a_list_touch_where_their_squares_end() {
+    for weighting in [
+        Weighting::Linear,
+        Weighting::UniformGimp,
+        Weighting::QuadraticBSpline,
+    ] {
+        for axisymmetric in [false, true] {
+            let far = force_on_squares(weighting, axisymmetric, 0.2);
+            assert_eq!(far, 0.0, "{weighting:?}, axisymmetric {axisymmetric}");
+            let near = force_on_squares(weighting, axisymmetric, 0.0);
+            assert!(near > 0.0, "{weighting:?}, axisymmetric {axisymmetric}");
         }
     }
 }

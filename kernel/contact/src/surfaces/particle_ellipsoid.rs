@@ -5,6 +5,7 @@ use proctor_kernel::layout::Layout;
 use proctor_kernel::model::Vector;
 use proctor_kernel::particles::ParticleSet;
 use proctor_kernel::simulation::{BodyRun, StepView};
+use std::f64::consts::TAU;
 
 /// Reach of the ellipsoid with these half-lengths along a unit normal \[m\].
 pub(super) fn reach(half: &Vector, normal: &Vector) -> f64 {
@@ -21,7 +22,8 @@ pub(super) fn touching_point(half: &Vector, nearest: &NearestPoint) -> Vector {
     std::array::from_fn(|axis| -pressed * half[axis] * half[axis] * normal[axis] / reach)
 }
 
-/// Half-lengths of the domain of a particle \[m\]. Weighting functions without a domain leave its volume, a cube.
+/// Half-lengths of the domain of a particle \[m\]. Weighting functions without a domain leave the volume of a particle that is given
+/// by place and volume: a cube, in the plane a square of the thickness of 1 m, about an axis the square of a ring.
 pub(super) fn half_lengths(set: &ParticleSet, body: &BodyRun, p: usize) -> Vector {
     if let Some(half) = body.reach {
         return half;
@@ -34,7 +36,16 @@ pub(super) fn half_lengths(set: &ParticleSet, body: &BodyRun, p: usize) -> Vecto
                 0.0
             }
         }),
-        None => [0.5 * libm::cbrt(set.columns[Layout::VOLUME][p]); 3],
+        None if set.layout.axes == 3 => [0.5 * libm::cbrt(set.columns[Layout::VOLUME][p]); 3],
+        None => {
+            let depth = if set.layout.axisymmetric {
+                TAU * (set.columns[Layout::POSITION][p] + body.mapping.first_radius)
+            } else {
+                1.0
+            };
+            let half = 0.5 * (set.columns[Layout::VOLUME][p] / depth).sqrt();
+            [half, half, 0.0]
+        }
     }
 }
 
