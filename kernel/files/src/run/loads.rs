@@ -6,9 +6,9 @@ use proctor_kernel::particles::ParticleSet;
 use proctor_scene::Vector;
 use std::collections::HashMap;
 
-/// Gives the particles of a body that was filled its columns of a checkpoint, which have these names, but for the forces of box loads: these are those with
-/// which it was filled, particle by particle. Returns by how much the sum of force times position changes \[J\], where the mesh has
-/// moved by `shift` \[m\].
+/// Gives the particles of a body that was filled its columns of a checkpoint, which have these names. The forces of box loads stay
+/// those with which it was filled, particle by particle. Returns by how much the sum of force times position changes \[J\], where the
+/// mesh has moved by `shift` \[m\].
 ///
 /// # Errors
 /// A checkpoint that lacks a column.
