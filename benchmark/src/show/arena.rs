@@ -59,6 +59,9 @@ pub fn reported(reported: &ReadValue) -> String {
     )
 }
 
+/// Characters of a case and its number on one line, so that the table fits a terminal of 80 columns.
+const HEAD: usize = 46;
+
 /// The numbers that are reported: below the name of each case a line for each solver.
 #[must_use]
 pub fn reports(board: &Board) -> Table {
@@ -70,7 +73,13 @@ pub fn reports(board: &Board) -> Table {
             .filter_map(|solver| Some((solver, board.cell(case, &solver.name)?)));
         let name = lines.clone().find_map(|(_, cell)| cell.reported.as_ref());
         let name = name.map_or("", |reported| reported.name.as_str());
-        table.push([format!("{case}: {name}")]);
+        let head = format!("{case}: {name}");
+        if head.chars().count() > HEAD {
+            table.push([format!("{case}:")]);
+            table.push([format!("  {name}")]);
+        } else {
+            table.push([head]);
+        }
         for (solver, cell) in lines {
             let name = with_method(&solver.name, &solver.method);
             let mut line = vec![format!("  {}", shortened(&name, NAME))];

@@ -134,7 +134,7 @@ fn the_list_says_which_cases_are_open_and_what_each_needs() {
         "{text}"
     );
     assert!(
-        line("sphere-on-terrain").ends_with("an STL surface, stresses")
+        line("sphere-on-terrain").ends_with("several bodies, STL, stresses")
             && line("vortex").ends_with("2D or 3D, several bodies"),
         "{text}"
     );

@@ -64,7 +64,7 @@ fn reports_stand_beside_their_references_and_are_no_errors() {
     for words in [
         "collapse: run-out over width",
         "footing: load over the exact one",
-        "sphere-on-terrain: energy after the bounce over the initial",
+        "sphere-on-terrain:\n    energy after the bounce over the initial",
     ] {
         assert!(reports.contains(words), "{words}: {text}");
     }

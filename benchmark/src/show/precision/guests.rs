@@ -119,7 +119,7 @@ fn needs(guest: &Guest) -> Vec<String> {
     add(!scene.tractions.is_empty(), "tractions");
     add(!scene.box_loads.is_empty(), "loads on boxes");
     add(!scene.contacts.is_empty(), "contact");
-    add(!scene.surfaces.is_empty(), "an STL surface");
+    add(!scene.surfaces.is_empty(), "STL");
     add(scene.base_motion.is_some(), "a moving base");
     add(matches!(scene.damping, Damping::Kinetic), "kinetic damping");
     add(
