@@ -7,7 +7,8 @@
 //! carries the punch.
 //!
 //! Expected: pressure has no limit at the edge, so the load is of order 1; the edge lies within half a cell of where it should be,
-//! which is h/(2 a) of the load. The stress on the axis is compared with that below the load that was found. `proctor verify punch`.
+//! which is h/(2 a) of the load. The stress on the axis is compared with that of the punch whose edge lies where the load says.
+//! `proctor verify punch`.
 
 use super::prelude::*;
 use super::vocabulary::far_boundary::FarBoundary;
@@ -134,16 +135,16 @@ fn solve(
         let (from, given) = (simulation.velocity_time(), press.impulse());
         run_until(simulation, end, observer, |_| ())?;
         let load = (press.impulse() - given) / (simulation.velocity_time() - from);
-        // Of a punch that carries this load, wherever its edge is: the place of the edge is judged by the load.
+        // The radius of the punch that carries this load: the place of the edge is judged by the load.
         let known = half_space.punch_load([SUNK, PUNCH]);
-        let way = SUNK * load / known;
-        let pressure = load / (TAU * PUNCH * PUNCH);
+        let edge = PUNCH * load / known;
+        let pressure = load / (TAU * edge * edge);
         let mut stress = vec![];
         for p in 0..simulation.sets()[0].len() {
             let x = simulation.position(0, p);
             let depth = FAR - x[1];
             if x[0] < 0.5 * h && ON_AXIS.contains(&depth) {
-                let known = half_space.punch_axis_stress([way, PUNCH], depth);
+                let known = half_space.punch_axis_stress([SUNK, edge], depth);
                 stress.push((depth, simulation.sets()[0].stress(p)[1], known));
             }
         }
