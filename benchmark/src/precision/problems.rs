@@ -162,7 +162,7 @@ fn to_report(
 }
 
 /// Findings on frames that lie in a folder.
-pub struct Judged {
+pub struct FrameErrors {
     /// Relative error.
     pub error: f64,
     /// That of the stress, where the case has one and the frames hold stresses.
@@ -175,13 +175,13 @@ pub struct Judged {
 ///
 /// # Errors
 /// If they have no error.
-pub fn judge(study: Study, rung: &Rung, frames: &Path) -> Result<Judged, String> {
+pub fn judge(study: Study, rung: &Rung, frames: &Path) -> Result<FrameErrors, String> {
     let guest = study.guest(rung)?;
     let handed = GuestScene::new(&guest)?;
     let own = own().ok_or("this program does not know its own file")?;
     let frames = handed.read(&guest, own.time_label, &CALIBRATED, frames)?;
     let reported = guest.reading.as_ref().map(|reading| reading.of(&frames));
-    Ok(Judged {
+    Ok(FrameErrors {
         error: guest.error(&frames)?,
         stress: guest.stress_error(&frames),
         reported: reported.transpose()?,

@@ -3,7 +3,7 @@
 use super::names;
 use crate::exit::{Failure, Outcome};
 use crate::precision::bounds::Bound;
-use crate::precision::problems::{self, Judged};
+use crate::precision::problems::{self, FrameErrors};
 use crate::record::key;
 use crate::show::{arena as show, percent};
 use clap::Args;
@@ -70,7 +70,7 @@ impl Judge {
             )));
         };
         let bound = self.bound.as_deref().map(share).transpose()?;
-        let Judged {
+        let FrameErrors {
             error,
             stress,
             reported,

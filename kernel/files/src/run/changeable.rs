@@ -22,7 +22,7 @@ const CONDITIONS: [PlaneCondition; 5] = [
     PlaneCondition::Absorbing,
 ];
 
-/// What a restart may change.
+/// The parts of a scene that a restart may change.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Changeable {
     /// Acceleration of gravity \[m/s²\].
