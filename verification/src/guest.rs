@@ -89,8 +89,8 @@ pub struct Snapshot {
     pub values: Vec<Vector>,
     /// Displacements \[m\].
     pub displacements: Vec<Vector>,
-    /// Cauchy stresses, tension positive \[Pa\]: xx, yy, zz, yz, xz, xy; NaN where a frame lacks a component. None where it
-    /// holds no stresses.
+    /// Cauchy stresses, tension positive \[Pa\]: xx, yy, zz, yz, xz, xy; NaN where a frame lacks a component. None
+    /// where it holds no stresses.
     pub stresses: Vec<[f64; 6]>,
 }
 

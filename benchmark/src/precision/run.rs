@@ -38,8 +38,8 @@ pub struct CaseStudy {
 }
 
 impl CaseStudy {
-    /// Lines of other solvers for an error of the study: all for the first, for that of the stress those whose frames hold
-    /// stresses.
+    /// Lines of other solvers for an error of the study: all for the first, for that of the stress those whose frames
+    /// hold stresses.
     #[must_use]
     pub fn peers_of(&self, measure: usize) -> Vec<PeerLine> {
         match self.study.measures().get(measure).map(|m| m.word) {

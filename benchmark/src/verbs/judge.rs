@@ -18,8 +18,8 @@ const BOUND: f64 = 0.01;
 /// Judge frames that a solver left, without running it.
 ///
 /// The frames are those of a problem that `proctor export --format problems DIR` has written: `.vtu` files with point data
-/// `Displacement`, and `Velocity` where a case compares it, with a `.pvd` of their times; with `Stress_XX` to `Stress_XY` some cases
-/// have a second error. Nothing is known of the solver: no
+/// `Displacement`, and `Velocity` where a case compares it, with a `.pvd` of their times; with `Stress_XX` to
+/// `Stress_XY` some cases have a second error. Nothing is known of the solver: no
 /// free fall says whether its times are those of its particles.
 #[derive(Args)]
 #[command(after_help = "Example: proctor judge step-bar frames --run l_h_32 --bound 2%")]

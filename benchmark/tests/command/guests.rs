@@ -318,7 +318,8 @@ fn guests_stand_in_chart_and_table_of_a_case_with_their_error_and_time() {
     }
 }
 
-/// Frames of which only some hold stresses are judged by what they hold: a solver without them by its displacements alone.
+/// Frames of which only some hold stresses are judged by what they hold: a solver without them by its displacements
+/// alone.
 #[test]
 fn a_stress_that_is_off_is_seen_and_one_that_is_missing_is_no_error() {
     let desk = Desk::new();

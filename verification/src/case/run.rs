@@ -104,7 +104,8 @@ impl Case {
             .filter(|reason| *reason != NO_WORD_OF_GUESTS)
     }
 
-    /// The reason why no other solver can run it, or why nothing of it is studied, where it names none of the first kind.
+    /// The reason why no other solver can run it, or why nothing of it is studied, where it names none of the first
+    /// kind.
     #[must_use]
     pub fn why_closed(&'static self) -> &'static str {
         let studied = self.studied().err();

@@ -9,8 +9,8 @@
 //! ```
 //!
 //! It keeps the volume, its shear strain in the axes of the square is zero, and so Navier's equation leaves
-//! `rho w^2 = 2 mu k^2`. On each side the displacement across and the shear stress along are zero, which is what a roller
-//! asks for; a body that stands free would have to be pulled by the normal stress.
+//! `rho w^2 = 2 mu k^2`. On each side the displacement across and the shear stress along are zero, which is what a
+//! roller asks for; a body that stands free would have to be pulled by the normal stress.
 
 use libm::{cos, sin, sincos};
 

@@ -105,8 +105,8 @@ impl Swing {
         })
     }
 
-    /// Stress \[Pa: xx, yy, zz, yz, xz, xy\] where the displacement is along each axis times `factor`: each axis is strained
-    /// for itself.
+    /// Stress \[Pa: xx, yy, zz, yz, xz, xy\] where the displacement is along each axis times `factor`: each axis is
+    /// strained for itself.
     fn stress(self, x: &Vector, factor: f64) -> [f64; 6] {
         let number = std::f64::consts::PI / self.length;
         let strain: Vector = std::array::from_fn(|axis| {

@@ -27,8 +27,8 @@ impl Guest {
         self
     }
 
-    /// Relative error of the stress in the norm of L2, over the frames and particles that count for the first error; none
-    /// where no exact stress is known, or frames hold no stresses. Components that frames lack do not count.
+    /// Relative error of the stress in the norm of L2, over the frames and particles that count for the first error;
+    /// none where no exact stress is known, or frames hold no stresses. Components that frames lack do not count.
     #[must_use]
     pub fn stress_error(&self, frames: &[Snapshot]) -> Option<f64> {
         let exact = self.stress.as_ref()?;

@@ -94,8 +94,8 @@ fn readings_of_this_kernel_lie_near_their_references() {
     for (case, least, most) in [
         ("collapse", 0.67, 1.33),
         ("footing", 0.98, 1.625),
-        // Stopped dead after a fall of a fifth of a metre it would have seven tenths; half of that may be lost in cells as large as
-        // its radius.
+        // Stopped dead after a fall of a fifth of a metre it would have seven tenths; half of that may be lost in cells
+        // two thirds as large as its radius.
         ("sphere-on-terrain", 0.85, 1.005),
     ] {
         let (guest, rung) = guest(case);
@@ -110,8 +110,8 @@ fn readings_of_this_kernel_lie_near_their_references() {
     }
 }
 
-/// A sphere of 1000 kg/m³ that has come to rest half a metre above the ground and is pressed by 1 MPa: E = 10 MPa and a Poisson's
-/// ratio of 0.3 give p²/2K, K = E/1.2, beside g z.
+/// A sphere of 1000 kg/m³ that has come to rest half a metre above the ground and is pressed by 1 MPa: E = 10 MPa and a
+/// Poisson's ratio of 0.3 give p²/2K, K = E/1.2, beside g z.
 #[test]
 fn an_energy_is_that_of_height_motion_and_strain() {
     let (guest, _) = guest("sphere-on-terrain");

@@ -254,8 +254,8 @@ const STRESSES: [&str; 6] = [
     "Stress_XY",
 ];
 
-/// Stresses of the particles \[Pa\], NaN for a component without a column; none where the frame lacks one of the first two, which
-/// is an error where they are needed.
+/// Stresses of the particles \[Pa\], NaN for a component without a column; none where the frame lacks one of the first
+/// two, which is an error where they are needed.
 fn stresses(frame: &Frame, needed: bool) -> Result<Vec<[f64; 6]>, String> {
     let columns = STRESSES.map(|name| frame.scalars(name));
     let missing = STRESSES.iter().zip(&columns).take(2);

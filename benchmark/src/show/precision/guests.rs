@@ -10,8 +10,8 @@ use std::io::{self, Write};
 /// Columns of a terminal.
 const WIDTH: usize = 80;
 
-/// Lists the cases that are open to other solvers with the needs of each, and the reason for which the others are not: of
-/// problems, and of cases that have none.
+/// Lists the cases that are open to other solvers with the needs of each, and the reason for which the others are not:
+/// of problems, and of cases that have none.
 ///
 /// # Errors
 /// If `out` cannot be written.

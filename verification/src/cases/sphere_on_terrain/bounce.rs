@@ -7,8 +7,8 @@ use super::{CENTER, GRAVITY, MATERIAL, RADIUS, VELOCITY, scene, wave_speed};
 /// The number that is reported.
 const KEPT: &str = "energy after the bounce over the initial";
 
-/// The smooth terrain of the study, with the frame of the end. Frames hold displacement, velocity and stress, of which an energy
-/// is made. Velocities may be half a step off, in which gravity changes the energy by 3e-4.
+/// The smooth terrain of the study, with the frame of the end. Frames hold displacement, velocity and stress, of which
+/// an energy is made. Velocities may be half a step off, in which gravity changes the energy by 3e-4.
 pub fn bounced(rung: &Rung) -> Guest {
     let settings = guest::settings();
     let mut scene = scene(rung, &settings, Reference::CORRECT);
@@ -29,8 +29,8 @@ pub fn bounced(rung: &Rung) -> Guest {
     }
 }
 
-/// The sphere as rows of particles with a spacing \[m\], each a body: programs fill a sphere in ways of their own, and a cuboid in
-/// one. Without contact bodies share one velocity field.
+/// The sphere as rows of particles with a spacing \[m\], each a body: programs fill a sphere in ways of their own, and
+/// a cuboid in one. Without contact bodies share one velocity field.
 fn rows(spacing: f64) -> Vec<Body> {
     let middle = |i: i64| (i as f64 + 0.5) * spacing;
     let around = |axis: usize| {
