@@ -121,3 +121,37 @@ fn failed_runs_are_rows_lines_and_open_marks() {
         );
     }
 }
+
+/// With `--own` a case has one line, that of its own method, and what two cases both study is in one table and one chart.
+#[test]
+fn own_methods_of_two_cases_stand_beside_each_other() {
+    let desk = Desk::new();
+    let svg = desk.name("beside");
+    let output = proctor(&[
+        "precision",
+        "bar",
+        "self-weight",
+        "--own",
+        "--quick",
+        "--repetitions",
+        "1",
+        "--svg",
+        &svg,
+    ]);
+    assert_eq!(code(&output), 0, "{}{}", stdout(&output), stderr(&output));
+    let text = stdout(&output);
+    let (each, beside) = text.split_once("beside each other").expect("a table");
+    assert_eq!(each.matches("combination").count(), 4, "{text}");
+    for case in ["bar", "self-weight"] {
+        let lines = beside
+            .lines()
+            .filter(|line| line.contains(&format!(" {case} ")));
+        assert!(lines.count() >= 2, "{case}: {text}");
+    }
+    let chart =
+        std::fs::read_to_string(desk.path().join("beside/bar-self-weight-displacement.svg"));
+    let chart = chart.expect("a chart of both");
+    for case in ["bar, ", "self-weight, "] {
+        assert!(chart.contains(case), "{case}");
+    }
+}

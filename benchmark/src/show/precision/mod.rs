@@ -214,6 +214,7 @@ fn best(findings: &Findings, level: usize, name: &str) -> String {
             "{} times as fast as the default",
             number((gain * 100.0).round() / 100.0)
         ),
+        None if findings.default_line().is_none() => "the default was not tried".to_owned(),
         None => "the default does not reach it".to_owned(),
     };
     let time = match line.costs[level] {
