@@ -178,11 +178,12 @@ fn a_domain_across_the_axis_has_the_shear_of_its_mirror_image() {
             let volume: f64 = set.columns[Layout::VOLUME].iter().sum();
             let (shape, nodes) = forces(set, stencil, full);
             // The node beside the axis and its mirror image move along the axis, by the slope 1/h.
-            let (shape, lines) = (&shape, nodes.lines());
-            let line = |plane: usize| {
-                (0..shape.nodes[2]).map(move |k| lines[plane * shape.plane_nodes() + k][5])
-            };
-            let force: f64 = line(GHOSTS_BELOW + 1).chain(line(GHOSTS_BELOW - 1)).sum();
+            let mut force = 0.0;
+            for plane in [GHOSTS_BELOW + 1, GHOSTS_BELOW - 1] {
+                for k in 0..shape.nodes[2] {
+                    force += nodes.lines()[plane * shape.plane_nodes() + k][5];
+                }
+            }
             let exact = -volume / H * r / half;
             assert!(
                 (force / exact - 1.0).abs() < ROUND_OFF,
