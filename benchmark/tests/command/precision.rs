@@ -148,8 +148,7 @@ fn own_methods_of_two_cases_stand_beside_each_other() {
             .filter(|line| line.contains(&format!(" {case} ")));
         assert!(lines.count() >= 2, "{case}: {text}");
     }
-    let chart =
-        std::fs::read_to_string(desk.path().join("beside/bar-self-weight-displacement.svg"));
+    let chart = std::fs::read_to_string(desk.path("beside/bar-self-weight-displacement.svg"));
     let chart = chart.expect("a chart of both");
     for case in ["bar, ", "self-weight, "] {
         assert!(chart.contains(case), "{case}");
