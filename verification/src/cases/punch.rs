@@ -7,7 +7,7 @@
 //! carries the punch.
 //!
 //! Expected: pressure has no limit at the edge, so the load is of order 1; the edge lies within half a cell of where it should be,
-//! which is h/(2 a) of the load. `proctor verify punch`.
+//! which is h/(2 a) of the load. The curve of the stress on the axis is not judged. `proctor verify punch`.
 
 use super::prelude::*;
 use super::vocabulary::far_boundary::FarBoundary;
@@ -28,10 +28,9 @@ const TRANSITS: [f64; 2] = [3.0, 20.0];
 const DAMPING: f64 = 0.5;
 /// Share of the time at the end over which the load is read.
 const LOOK: f64 = 0.02;
-/// Depths on the axis between which the vertical stress is compared \[m\].
+/// Depths on the axis between which the vertical stress is drawn \[m\].
 const ON_AXIS: std::ops::Range<f64> = 0.5..3.0;
 const LOAD: &str = "load";
-const VERTICAL: &str = "vertical stress on the axis over the mean pressure";
 const WRONG_YOUNG: Wrong =
     Wrong::factor("Young's modulus", 0.8).breaks(|gate| gate.contains("error of load"));
 
@@ -43,13 +42,10 @@ pub static RIGID_PUNCH: Case = Case::new(
 .ladder(Ladder::made(rungs))
 .scene(scene)
 .solve_by(solve)
-.gates(&[
-    error(LOAD).at_most_by(
-        |finest| 0.5 * finest.cell / PUNCH,
-        "the edge lies within half a cell of where it should be",
-    ),
-    value(VERTICAL).at_most(0.04, "the bound of a disc under a pressure, *half-space*"),
-])
+.gates(&[error(LOAD).at_most_by(
+    |finest| 0.5 * finest.cell / PUNCH,
+    "the edge lies within half a cell of where it should be",
+)])
 .tables(&[TableRule::new("punch, uGIMP, USL, FLIP", &[LOAD])])
 .wrong_references(&[WRONG_YOUNG])
 .refer_by(refer)
@@ -144,9 +140,6 @@ fn solve(
                 stress.push((depth, simulation.sets()[0].stress(p)[1], known));
             }
         }
-        let mean = known / (PI * PUNCH * PUNCH);
-        let off = |&(_, found, known): &(f64, f64, f64)| (found - known).abs() / mean;
-        let most = stress.iter().map(off).fold(0.0, f64::max);
         stress.sort_by(|a, b| a.0.total_cmp(&b.0));
         let points = stress.iter();
         let points = points.map(|&(depth, found, known)| CurvePoint::new(depth, found, known));
@@ -155,11 +148,7 @@ fn solve(
             ["depth (m)", "stress (Pa)"],
             points,
         );
-        Ok(Measurements::of([
-            Quantity::compared(LOAD, load, known, "N"),
-            Quantity::balance(VERTICAL, most, "1"),
-        ])
-        .drawn(curve))
+        Ok(Measurements::of([Quantity::compared(LOAD, load, known, "N")]).drawn(curve))
     })?;
     refer(rung, reference, &mut solved);
     Ok(solved)
@@ -169,8 +158,6 @@ fn solve(
 fn refer(_: &Rung, reference: Reference, solved: &mut RungResult) {
     let known = exact(reference).punch_load([SUNK, PUNCH]);
     for q in &mut solved.quantities {
-        if q.name == LOAD {
-            *q = Quantity::compared(q.name, q.value, known, q.unit);
-        }
+        *q = Quantity::compared(q.name, q.value, known, q.unit);
     }
 }
