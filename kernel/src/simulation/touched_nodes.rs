@@ -10,7 +10,7 @@ use crate::grid::{ActiveRows, GridShape, Line};
 const LARGE: usize = (64 << 20) / size_of::<Line>();
 /// Touched nodes beside those in use that are left alone: to touch them again takes time.
 const SLACK: usize = 4096;
-/// Growth in nodes at which the system is asked for memory: 16 MiB.
+/// Growth in nodes from which on a step asks the system for memory: 16 MiB.
 const GROWTH: usize = (16 << 20) / size_of::<Line>();
 
 /// The rows of a grid that have been touched since its memory was new.

@@ -8,7 +8,7 @@ use super::{Guest, Snapshot};
 pub type ExactStress = Box<dyn Fn(&[Vector], f64) -> Vec<[f64; 6]> + Send + Sync>;
 
 impl Guest {
-    /// The same with the exact stress, tension positive, of which frames are asked for.
+    /// The same with the exact stress, tension positive, which frames hold, too.
     #[must_use]
     pub fn with_stress(
         self,

@@ -11,7 +11,7 @@ use crate::show::percent;
 /// Marks of the cases.
 const MARKS: [Mark; 4] = [Mark::Circle, Mark::Square, Mark::Triangle, Mark::Diamond];
 
-/// An error of several cases against run time, one line per method of each, with the first of the levels whose cost is told. Of
+/// An error of several cases against run time, one line per method of each, with the first of the levels that have a cost. Of
 /// each case the number of the measure.
 #[must_use]
 pub fn cases_beside(of: &[(&CaseStudy, usize)], word: &str) -> Chart {

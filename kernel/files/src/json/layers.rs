@@ -73,7 +73,7 @@ impl Build<'_> {
                 self.stands_in(format!("{path}.material_id"));
             }
             if kind == Some(ShapeKind::Between) {
-                // The fault of its surface is told, and what would follow from the surface is none.
+                // The message names the fault of its surface alone, from which others would follow.
                 body.initial_stress = InitialStress::None;
                 return vec![body];
             }
