@@ -52,7 +52,7 @@ fn greedy() -> Vec<(&'static str, Value, &'static str, &'static str)> {
                 scene
             },
             "mesh.cells_number",
-            "29.5 GiB",
+            "28.6 GiB",
         ),
         (
             "particles of a rectangle",

@@ -141,7 +141,7 @@ fn own_methods_of_two_cases_stand_beside_each_other() {
     assert_eq!(code(&output), 0, "{}{}", stdout(&output), stderr(&output));
     let text = stdout(&output);
     let (each, beside) = text.split_once("beside each other").expect("a table");
-    assert_eq!(each.matches("combination").count(), 4, "{text}");
+    assert_eq!(each.matches("\n  combination ").count(), 4, "{text}");
     for case in ["bar", "self-weight"] {
         let lines = beside
             .lines()
