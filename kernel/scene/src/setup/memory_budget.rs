@@ -38,11 +38,9 @@ pub(super) fn grid(
     let pairs = scene.contacts.len() as f64 * shape.nodes[0] as f64 * size_of::<[f64; 4]>() as f64;
     let needed = reached * size_of::<Line>() as f64 + fields * rows * ROW + fields * fields + pairs;
     let what = format!("a grid of {nodes} nodes, those around the mesh included,");
-    handed_out(what.clone(), nodes * size_of::<Line>() as f64)
-        .and_then(|()| {
-            let what = format!("{what} of which bodies reach {reached}");
-            memory.take(what, needed)
-        })
+    memory
+        .take(format!("{what} of which bodies reach {reached}"), needed)
+        .and_then(|()| handed_out(what, nodes * size_of::<Line>() as f64))
         .map_err(|error| at(MESH, error))
 }
 

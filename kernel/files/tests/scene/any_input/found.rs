@@ -6,7 +6,7 @@ use super::outcome::{Outcome, outcome};
 fn a_billion_cells_are_refused_with_both_numbers() {
     let text = r#"{"time": 1, "mesh": {"cells_dimension": [1, 1, 1], "cells_number": [1000, 1000, 1000]},
 "material": [{"type": "elastic", "id": 1, "young": 1e5, "density": 1000, "poisson": 0.3}],
-"body": [{"type": "cuboid", "id": 1, "material_id": 1, "point_p1": [0, 0, 0], "point_p2": [2, 2, 2]}]}"#;
+"body": [{"type": "cuboid", "id": 1, "material_id": 1, "point_p1": [0, 0, 0], "point_p2": [1000, 1000, 1000]}]}"#;
     let Ok(Outcome::NotSetUp(message)) = outcome(text) else {
         panic!("{:?}", outcome(text));
     };
