@@ -77,16 +77,18 @@ pub struct Stopwatch {
 impl Stopwatch {
     /// Runs `work` and adds its time. Threads that are still busy elsewhere in this process count as well.
     pub fn time<T>(&mut self, work: impl FnOnce() -> T) -> T {
-        self.by(ProcessorClock::Process(ProcessTime::now()), work)
+        self.by(|| ProcessorClock::Process(ProcessTime::now()), work)
     }
 
     /// The same for work that keeps to the calling thread; other threads do not count.
     pub fn time_thread<T>(&mut self, work: impl FnOnce() -> T) -> T {
-        self.by(ProcessorClock::Thread(ThreadTime::now()), work)
+        self.by(|| ProcessorClock::Thread(ThreadTime::now()), work)
     }
 
-    fn by<T>(&mut self, cpu: ProcessorClock, work: impl FnOnce() -> T) -> T {
-        let wall = Instant::now();
+    /// The clock on the wall begins before that of the processor, which takes a call of the system: the phases of a step, which
+    /// end where the next begins, hold that call and are parts of the whole.
+    fn by<T>(&mut self, begin: fn() -> ProcessorClock, work: impl FnOnce() -> T) -> T {
+        let (wall, cpu) = (Instant::now(), begin());
         let result = work();
         self.spent.cpu += cpu.elapsed();
         self.spent.wall += wall.elapsed();
