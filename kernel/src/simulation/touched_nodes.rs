@@ -63,7 +63,7 @@ impl TouchedNodes {
         }
     }
 
-    /// Nodes for which memory is to be asked, where they have become many more.
+    /// Growth of the touched nodes since memory was last granted, where it is large.
     pub(crate) fn growth(&mut self) -> Option<usize> {
         let growth = self.count.saturating_sub(self.granted);
         if growth < GROWTH {
