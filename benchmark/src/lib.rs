@@ -41,9 +41,11 @@ mod verbs;
 
 use clap::{CommandFactory, Parser};
 use exit::{Failure, Outcome};
+use proctor_kernel::ranks::Ranks;
 use say::say;
 use std::io::{BufWriter, Write};
 use std::process::ExitCode;
+use std::sync::Arc;
 use verbs::{Amount, Verb};
 
 /// Verifies and measures an explicit material point method (MPM/GIMP) kernel.
@@ -91,23 +93,61 @@ pub fn command() -> ExitCode {
     let mut out = BufWriter::new(std::io::stdout().lock());
     let result = verbs::run(cli.verb.as_ref(), cli.amount, &mut out)
         .and_then(|outcome| out.flush().map(|()| outcome).map_err(Failure::from));
-    match result {
-        Ok(Outcome::Fine) => ExitCode::SUCCESS,
-        Ok(Outcome::Failed) => ExitCode::from(1),
-        Ok(Outcome::CannotCompare) => ExitCode::from(2),
-        Ok(Outcome::Interrupted(code)) => ExitCode::from(code),
-        Err(Failure::BadInput(message)) => {
-            // What was printed before the message belongs in front of it.
-            let _ = out.flush();
-            say!("{message}");
-            ExitCode::from(2)
-        }
-        Err(Failure::Print(error)) if error.kind() == std::io::ErrorKind::BrokenPipe => {
-            ExitCode::SUCCESS
-        }
-        Err(Failure::Print(error)) => {
-            say!("cannot write to standard output: {error}");
-            ExitCode::from(1)
-        }
+    let ending = Ending::of(result);
+    if let Some(message) = ending.message {
+        // What was printed before the message belongs in front of it.
+        let _ = out.flush();
+        say!("{message}");
+    }
+    ExitCode::from(ending.code)
+}
+
+/// Runs the command of this process on ranks that share the run of a scene, and gives its exit code. The first rank speaks; an
+/// error that it has not is told by the rank that has it.
+#[must_use]
+pub fn command_on(ranks: &Arc<dyn Ranks>) -> u8 {
+    let first = ranks.rank() == 0;
+    if !first {
+        say::be_quiet();
+    }
+    let mut out: Box<dyn Write> = if first {
+        Box::new(BufWriter::new(std::io::stdout().lock()))
+    } else {
+        Box::new(std::io::sink())
+    };
+    let result = verbs::run_on_ranks(Cli::try_parse().map(|cli| cli.verb), ranks, &mut out)
+        .and_then(|outcome| out.flush().map(|()| outcome).map_err(Failure::from));
+    let ending = Ending::of(result);
+    let codes = ranks.all_gather(&[ending.code.into()]);
+    let told_by_first = !first && codes[0] != [0];
+    if let Some(message) = ending.message.filter(|_| !told_by_first) {
+        let _ = out.flush();
+        say::always(&message);
+    }
+    ending.code
+}
+
+/// The ending of a command: its exit code, and what there is to say.
+struct Ending {
+    code: u8,
+    message: Option<String>,
+}
+
+impl Ending {
+    fn of(result: Result<Outcome, Failure>) -> Self {
+        let (code, message) = match result {
+            Ok(Outcome::Fine) => (0, None),
+            Ok(Outcome::Failed) => (1, None),
+            Ok(Outcome::CannotCompare) => (2, None),
+            Ok(Outcome::Interrupted(code)) => (code, None),
+            Err(Failure::BadInput(message)) => (2, Some(message)),
+            Err(Failure::Print(error)) if error.kind() == std::io::ErrorKind::BrokenPipe => {
+                (0, None)
+            }
+            Err(Failure::Print(error)) => {
+                (1, Some(format!("cannot write to standard output: {error}")))
+            }
+        };
+        Self { code, message }
     }
 }

@@ -5,6 +5,7 @@
 //! in two dimensions the middle axis has length 1.
 
 use crate::model::{Dimension, Mesh};
+use crate::ranks::Words;
 use std::ops::Range;
 
 /// Values of a node. Lanes 0 to 3: mass and momentum, after the solve mass and velocity; lanes 4 to 6: force, after the solve
@@ -257,8 +258,17 @@ impl ActiveRows {
     /// Indices of the active nodes, row by row.
     #[inline]
     pub(crate) fn nodes(&self, shape: &GridShape) -> impl Iterator<Item = Range<usize>> {
-        let all =
-            (0..shape.nodes[0]).flat_map(|plane| self.in_plane(plane).map(move |row| (plane, row)));
+        self.nodes_of(0..shape.nodes[0], shape)
+    }
+
+    /// The same of some planes.
+    #[inline]
+    pub(crate) fn nodes_of(
+        &self,
+        planes: Range<usize>,
+        shape: &GridShape,
+    ) -> impl Iterator<Item = Range<usize>> {
+        let all = planes.flat_map(|plane| self.in_plane(plane).map(move |row| (plane, row)));
         all.map(|(plane, row)| {
             let (first, span) = (shape.index([plane, row, 0]), self.span(plane, row));
             first + span.start..first + span.end
@@ -271,6 +281,40 @@ impl ActiveRows {
     pub fn span(&self, plane: usize, row: usize) -> Range<usize> {
         let (low, high) = self.spans[plane * self.rows_per_plane + row];
         low as usize..high as usize
+    }
+
+    /// Rows of which none has an active part.
+    pub(crate) fn empty(&self, shape: &GridShape) -> Self {
+        Self {
+            spans: vec![(0, 0); shape.nodes[0] * self.rows_per_plane],
+            rows_per_plane: self.rows_per_plane,
+            in_planes: vec![(0, 0); shape.nodes[0]],
+            occupied: vec![],
+        }
+    }
+
+    /// Adds the spans of some planes to words: of each plane the rows in use, then two words for each of them.
+    pub(crate) fn pack(&self, planes: Range<usize>, words: &mut Vec<u64>) {
+        for plane in planes {
+            let rows = self.in_plane(plane);
+            words.extend([rows.start as u64, rows.end as u64]);
+            for row in rows {
+                let span = self.span(plane, row);
+                words.extend([span.start as u64, span.end as u64]);
+            }
+        }
+    }
+
+    /// Takes up packed spans of some planes.
+    pub(crate) fn unpack(&mut self, planes: Range<usize>, words: &mut Words<'_>) {
+        for plane in planes {
+            let (first, last) = (words.count(), words.count());
+            self.in_planes[plane] = (first as u32, last as u32);
+            for row in first..last {
+                let span = (words.word() as u32, words.word() as u32);
+                self.spans[plane * self.rows_per_plane + row] = span;
+            }
+        }
     }
 
     /// Number of nodes in all active spans.

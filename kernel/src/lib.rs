@@ -43,6 +43,7 @@ pub mod layout;
 pub mod model;
 pub mod particles;
 pub mod plan;
+pub mod ranks;
 pub mod simulation;
 pub mod transfers;
 pub mod weighting;

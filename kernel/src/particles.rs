@@ -177,6 +177,20 @@ impl ParticleSet {
         }
     }
 
+    /// Keeps the particles of some base layers alone, as of the last sort.
+    pub(crate) fn keep_layers(&mut self, layers: Range<usize>) {
+        let kept = self.in_layers(layers);
+        for column in &mut self.columns {
+            column.truncate(kept.end);
+            column.drain(..kept.start);
+        }
+        self.id.truncate(kept.end);
+        self.id.drain(..kept.start);
+        for start in &mut self.layers {
+            *start = (*start).clamp(kept.start, kept.end) - kept.start;
+        }
+    }
+
     /// All columns at the given increasing particle ranges, which must not overlap.
     pub(crate) fn parts_mut(
         &mut self,

@@ -290,6 +290,19 @@ fn gather<T: Copy>(column: &mut Vec<T>, order: &[u32], spare: &mut Vec<T>) {
     std::mem::swap(column, spare);
 }
 
+/// Base layers along the first axis in which a sort would find some particles of a set now.
+pub(crate) fn layers_now(
+    set: &ParticleSet,
+    particles: Range<usize>,
+    shape: &GridShape,
+    (family, stencil): (Family, usize),
+) -> Vec<usize> {
+    let [_, middle, fast] = shape.bases();
+    let numbering = Numbering::new(shape, family.sort_offset(stencil), &Cells::all(shape));
+    let layer = |p| numbering.key(set, p) as usize / (middle * fast);
+    particles.map(layer).collect()
+}
+
 /// Finds the active rows of sets that are not to be sorted now, after a restart. Their particles may cross less than
 /// one cell before the next sort, so the rows of their present cells serve as well as those of the last sort.
 pub fn rows_of(sets: &[ParticleSet], shape: &GridShape, stencil: usize, rows: &mut ActiveRows) {

@@ -11,6 +11,7 @@ mod mortar;
 mod physics;
 mod plan;
 mod properties;
+mod ranks;
 mod revolution;
 mod scene;
 mod surface;

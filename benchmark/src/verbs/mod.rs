@@ -31,9 +31,11 @@ use crate::say::say;
 pub use amount::Amount;
 use clap::Subcommand;
 use proctor_files::json::{SceneSource, SourceMap, Stage};
+use proctor_kernel::ranks::Ranks;
 use proctor_scene::{Scene, SceneError};
 use std::io::{IsTerminal, Write};
 use std::path::Path;
+use std::sync::Arc;
 
 /// Verbs of the command.
 #[derive(Subcommand)]
@@ -104,6 +106,23 @@ pub fn run(verb: Option<&Verb>, amount: Amount, out: &mut dyn Write) -> Result<O
         Some(Verb::Export(export)) => export.run(out),
         Some(Verb::History(history)) => history.run(out),
         Some(Verb::Schema(schema)) => schema.run(out),
+    }
+}
+
+/// Runs a verb on ranks that share it: a run of a scene, with the same program on all of them.
+pub fn run_on_ranks(
+    verb: Result<Option<Verb>, clap::Error>,
+    ranks: &Arc<dyn Ranks>,
+    out: &mut dyn Write,
+) -> Result<Outcome, Failure> {
+    let verb = verb.map_err(|error| Failure::BadInput(error.to_string()))?;
+    run::same_program(&**ranks)?;
+    match verb {
+        Some(Verb::Run(run)) => run.run_on(Some(ranks), out),
+        _ => Err(Failure::BadInput(
+            "ranks share the run of a scene; accepted: `mpirun -n N proctor-mpi run SCENE`, and `proctor` for all other verbs"
+                .into(),
+        )),
     }
 }
 

@@ -1,5 +1,6 @@
 //! `proctor run`: a scene from its start, or from a checkpoint, to its end.
 
+mod ranks;
 mod report;
 
 use super::picture::draw_last;
@@ -17,12 +18,15 @@ use proctor_files::json::{SourceMap, Stage};
 use proctor_files::output::summary::{SUMMARY, Status};
 use proctor_files::output::{OutputFolder, Summary, atomic};
 use proctor_files::run::{Run as KernelRun, RunControl, RunError};
+use proctor_kernel::ranks::Ranks;
 use proctor_scene::simulation::{Bound, StepInfo};
+pub use ranks::same_program;
 use report::Report;
 pub(super) use report::row;
 use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// Run a scene; write frames, history and a summary.
 ///
@@ -62,22 +66,37 @@ struct Tally {
 
 impl Run {
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
+        ranks::refuse_copies()?;
+        self.run_on(None, out)
+    }
+
+    /// Runs the scene on ranks that share it, or on this process.
+    pub fn run_on(
+        &self,
+        ranks: Option<&Arc<dyn Ranks>>,
+        out: &mut dyn Write,
+    ) -> Result<Outcome, Failure> {
         match &self.out {
             Some(folder) if std::env::var_os(SCRATCH).is_some() => {
-                atomic::without_waiting(folder, || self.run_stages(out))
+                atomic::without_waiting(folder, || self.run_stages(ranks, out))
             }
-            _ => self.run_stages(out),
+            _ => self.run_stages(ranks, out),
         }
     }
 
-    fn run_stages(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
+    fn run_stages(
+        &self,
+        ranks: Option<&Arc<dyn Ranks>>,
+        out: &mut dyn Write,
+    ) -> Result<Outcome, Failure> {
         let stages = stages(&self.scene)?;
         let interrupt = Interrupt::listen()?;
         if let [Stage { name, .. }] = &stages[..]
             && name.is_empty()
         {
             let restart = self.restart.as_deref();
-            return self.run_stage(&stages[0], self.out.as_deref(), restart, &interrupt, out);
+            let folder = self.out.as_deref();
+            return self.run_stage(&stages[0], (folder, restart), ranks, &interrupt, out);
         }
         let Some(folder) = &self.out else {
             return Err(Failure::BadInput(format!(
@@ -102,7 +121,8 @@ impl Run {
             let own = folder.join(&folders[number]);
             writeln!(out, "stage {}", stage.name)?;
             let restart = self.restart.as_deref().filter(|_| number == first);
-            let outcome = self.run_stage(&stage, Some(&own), restart, &interrupt, out)?;
+            let places = (Some(own.as_path()), restart);
+            let outcome = self.run_stage(&stage, places, ranks, &interrupt, out)?;
             if outcome != Outcome::Fine {
                 return Ok(outcome);
             }
@@ -115,12 +135,15 @@ impl Run {
     fn run_stage(
         &self,
         Stage { scene, places, .. }: &Stage,
-        folder: Option<&Path>,
-        restart: Option<&Path>,
+        (folder, restart): (Option<&Path>, Option<&Path>),
+        ranks: Option<&Arc<dyn Ranks>>,
         interrupt: &Interrupt,
         out: &mut dyn Write,
     ) -> Result<Outcome, Failure> {
-        let options = self.settings.options()?;
+        let options = match ranks {
+            None => self.settings.options()?,
+            Some(ranks) => ranks::options(self.settings.options()?, scene, ranks)?,
+        };
         if let (None, Some(threads)) = (options.threads, scene.threads) {
             let key = format!("{}: n_threads", self.scene.display());
             bounded(&key, threads)?;
@@ -211,7 +234,10 @@ fn told(places: &SourceMap, error: &RunError) -> String {
         RunError::Setup(error) => places.of_setup(error),
         RunError::Step(error) => places.of_step(error),
         RunError::Refused(problem) => places.of_problem(problem),
-        RunError::Checkpoint(_) | RunError::Output(_) => format!("{}: {error}", places.name()),
+        RunError::Checkpoint(_)
+        | RunError::Output(_)
+        | RunError::NotShared(_)
+        | RunError::OtherRank { .. } => format!("{}: {error}", places.name()),
     }
 }
 
@@ -238,7 +264,7 @@ fn drive(run: &mut KernelRun, tally: &mut Tally, interrupt: &Interrupt) -> Optio
         if let Err(error) = advanced {
             return Some(error);
         }
-        if interrupt.raised() {
+        if run.is_interrupted() {
             return None;
         }
         if let Err(error) = run.write() {

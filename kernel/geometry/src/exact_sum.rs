@@ -38,6 +38,9 @@ impl Default for ExactSum {
 }
 
 impl ExactSum {
+    /// Number of its words.
+    pub const WORDS: usize = DIGITS + 1;
+
     /// The sum of nothing.
     pub const ZERO: Self = Self {
         digits: [0; DIGITS],
@@ -84,6 +87,29 @@ impl ExactSum {
         }
         self.terms = 1;
         self.not_finite += other.not_finite;
+    }
+
+    /// The sum as words, for [`ExactSum::from_words`] in another process.
+    #[must_use]
+    pub fn words(&self) -> [u64; Self::WORDS] {
+        let mut carried = self.clone();
+        carried.carry();
+        let mut words = [0; Self::WORDS];
+        for (word, digit) in words.iter_mut().zip(carried.digits) {
+            *word = digit as u64;
+        }
+        words[DIGITS] = carried.not_finite.to_bits();
+        words
+    }
+
+    /// The sum that gave these words.
+    #[must_use]
+    pub fn from_words(words: &[u64; Self::WORDS]) -> Self {
+        Self {
+            digits: std::array::from_fn(|digit| words[digit] as i64),
+            terms: 1,
+            not_finite: f64::from_bits(words[DIGITS]),
+        }
     }
 
     /// The sum, rounded once to the nearest number, to the even one of two; infinite where it is too large.

@@ -67,6 +67,22 @@ impl Team {
         })
     }
 
+    /// A team of `count` threads of which the caller is one, from here to its end: what it leads stays on it. A thread can be
+    /// in one such team.
+    ///
+    /// # Errors
+    /// If the system gives no more threads, or the caller is in a team.
+    pub fn of_caller(count: usize) -> Result<Self, ThreadPoolBuildError> {
+        if count <= 1 {
+            return Ok(Self::ALONE);
+        }
+        let pool = ThreadPoolBuilder::new().num_threads(count);
+        Ok(Self {
+            count,
+            pool: Some(pool.use_current_thread().build()?),
+        })
+    }
+
     /// Number of threads.
     #[must_use]
     pub fn count(&self) -> usize {

@@ -167,7 +167,11 @@ impl Cycle {
         let h = self.smallest_cell();
         let stable = self.stability_number() * h / (wave_speed + particle_speed);
         let travel = travel_step(MOST_CELLS_PER_STEP * h, particle_speed, self.acceleration());
-        let viscous = viscous_step(stable, wave_speed + particle_speed, self.diffusivity());
+        let viscous = viscous_step(
+            stable,
+            wave_speed + particle_speed,
+            self.diffusivity_of_all(),
+        );
         let (undamped, bound) = if travel < viscous {
             (travel, Bound::Travel)
         } else if viscous < stable {
@@ -201,8 +205,8 @@ impl Cycle {
         }
     }
 
-    /// Largest longitudinal viscosity of a particle over its density \[m²/s\].
-    fn diffusivity(&self) -> f64 {
+    /// Largest longitudinal viscosity of a particle here over its density \[m²/s\].
+    pub(super) fn own_diffusivity(&self) -> f64 {
         let mut most = 0.0_f64;
         for (body, set) in self.model.bodies.iter().zip(&self.state.sets) {
             let viscosity = body.law.viscosity();

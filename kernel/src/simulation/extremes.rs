@@ -4,6 +4,7 @@
 //! deformation harms.
 
 use super::Cycle;
+use crate::exact_sum::ExactSum;
 use crate::laws::StrainRange;
 use crate::layout::Layout;
 use crate::model::{DomainUpdate, Weighting};
@@ -20,28 +21,51 @@ impl Cycle {
                 continue;
             }
             if body.law.strain_range().is_some() {
-                let change = volume_change(set, body.density);
+                let change = self.volume_change(set, body.density);
                 if change.abs() > all.volume_change.abs() {
                     all.volume_change = change;
                 }
             }
             let solid = !body.law.is_fluid();
             if solid && self.domains_do_not_follow() && set.layout.deformation.is_some() {
-                let (mut whole, mut beyond) = (0.0, 0.0);
-                for (p, mass) in set.columns[Layout::MASS].iter().enumerate() {
+                let mut masses = [ExactSum::ZERO; 2];
+                let [whole, beyond] = &mut masses;
+                for p in self.own_particles(set) {
                     let ratio = stretch_ratio(set, p).unwrap_or(0.0);
+                    let mass = set.columns[Layout::MASS][p];
                     all.stretch_ratio = all.stretch_ratio.max(ratio);
-                    whole += mass;
+                    whole.add(mass);
                     if ratio > MOST_STRETCH_RATIO {
-                        beyond += mass;
+                        beyond.add(mass);
                     }
                 }
+                self.join_sums(&mut masses);
+                let [whole, beyond] = masses.map(|sum| sum.value());
                 if whole > 0.0 {
                     all.stretched_share = all.stretched_share.max(beyond / whole);
                 }
+                self.join_most(std::slice::from_mut(&mut all.stretch_ratio));
             }
         }
         all
+    }
+
+    /// J - 1 of the particle where its magnitude is largest. Of two alike the expansion.
+    fn volume_change(&self, set: &ParticleSet, density: f64) -> f64 {
+        // Largest changes of both signs, the compression first.
+        let mut largest = [0.0_f64; 2];
+        let columns = (&set.columns[Layout::VOLUME], &set.columns[Layout::MASS]);
+        for (volume, mass) in columns.0.iter().zip(columns.1) {
+            let change = volume * density / mass - 1.0;
+            largest = [largest[0].max(-change), largest[1].max(change)];
+        }
+        self.join_most(&mut largest);
+        let [compression, expansion] = largest;
+        if compression > expansion {
+            -compression
+        } else {
+            expansion
+        }
     }
 
     /// The range of the first law that has no energy at large strain, where the largest change of volume lies beyond it.
@@ -65,22 +89,6 @@ impl Cycle {
             self.model.settings.weighting,
             Weighting::ContiguousGimp(DomainUpdate::Determinant) | Weighting::QuadraticBSpline
         )
-    }
-}
-
-/// J - 1 of the particle where its magnitude is largest. Of two alike the expansion.
-fn volume_change(set: &ParticleSet, density: f64) -> f64 {
-    let (mut least, mut most) = (1.0_f64, 1.0_f64);
-    let columns = (&set.columns[Layout::VOLUME], &set.columns[Layout::MASS]);
-    for (volume, mass) in columns.0.iter().zip(columns.1) {
-        let jacobian = volume * density / mass;
-        least = least.min(jacobian);
-        most = most.max(jacobian);
-    }
-    if 1.0 - least > most - 1.0 {
-        least - 1.0
-    } else {
-        most - 1.0
     }
 }
 

@@ -11,20 +11,56 @@ impl Cycle {
     /// Stops for a fault, or removes particles outside the mesh where the scene says so.
     pub(super) fn judge(&mut self, faults: &[(usize, usize, FaultKind)]) -> Result<(), StepError> {
         for &(set, p, kind) in faults {
-            let at = self.particle_at(set, p);
-            match kind {
-                FaultKind::NotFinite => return Err(self.error(self.not_finite(set, p))),
-                FaultKind::Inverted => return Err(self.error(StepErrorKind::Inverted(at))),
-                FaultKind::Outside if self.model.settings.outside == Outside::Stop => {
-                    return Err(self.error(StepErrorKind::Outside(at)));
-                }
-                FaultKind::Outside => self.remove_outside(set)?,
+            match self.fatal(set, p, kind) {
+                Some(kind) => return Err(self.error(kind)),
+                None => self.remove_outside(set)?,
             }
         }
         Ok(())
     }
 
+    /// The error for which a run stops; `None` for a particle that is removed.
+    pub(super) fn fatal(&self, set: usize, p: usize, kind: FaultKind) -> Option<StepErrorKind> {
+        match kind {
+            FaultKind::NotFinite => Some(self.not_finite(set, p)),
+            FaultKind::Inverted => Some(StepErrorKind::Inverted(self.particle_at(set, p))),
+            FaultKind::Outside if self.model.settings.outside == Outside::Stop => {
+                Some(StepErrorKind::Outside(self.particle_at(set, p)))
+            }
+            FaultKind::Outside => None,
+        }
+    }
+
+    /// Removes all particles of a set outside the mesh, and closes their accounts.
     pub(super) fn remove_outside(&mut self, set: usize) -> Result<(), StepError> {
+        let (gone, here) = match self.outside(set) {
+            Ok(gone) => {
+                let own = self.own_particles(&self.state.sets[set]);
+                let here = gone.iter().filter(|p| own.contains(p));
+                let here = here.map(|&p| self.account(set, p)).collect();
+                (gone, Ok(here))
+            }
+            Err(kind) => (vec![], Err(kind)),
+        };
+        let removed = self
+            .join_removed(set, here)
+            .map_err(|kind| self.error(kind))?;
+        self.count_removed(removed.len());
+        for one in removed {
+            self.state.ledger.removed += one.energy;
+            self.state.ledger.dead_load_origin -= one.load;
+            self.state.events.push(Event {
+                step: self.state.clock.step + 1,
+                time: self.state.clock.time,
+                kind: EventKind::Removed(one.at),
+            });
+        }
+        self.state.sets[set].remove(&gone, &self.work.grid.team);
+        Ok(())
+    }
+
+    /// The particles of a set outside the mesh, or the fault of one that no removal mends.
+    fn outside(&self, set: usize) -> Result<Vec<usize>, StepErrorKind> {
         let mesh = &self.model.settings.mesh;
         let mut gone = vec![];
         for p in 0..self.state.sets[set].len() {
@@ -34,11 +70,10 @@ impl Cycle {
                 .chain(layout.variables..layout.columns);
             // The first fault of the set was a particle outside; others may lie behind it.
             if { sound }.any(|column| !self.state.sets[set].columns[column][p].is_finite()) {
-                return Err(self.error(self.not_finite(set, p)));
+                return Err(self.not_finite(set, p));
             }
             if self.state.sets[set].columns[Layout::VOLUME][p] <= 0.0 {
-                let at = self.particle_at(set, p);
-                return Err(self.error(StepErrorKind::Inverted(at)));
+                return Err(StepErrorKind::Inverted(self.particle_at(set, p)));
             }
             let inside = (0..self.model.plan.axes)
                 .all(|axis| x[axis] >= 0.0 && x[axis] <= mesh.cells[axis] as f64 * mesh.cell[axis]);
@@ -46,17 +81,7 @@ impl Cycle {
                 gone.push(p);
             }
         }
-        for &p in &gone {
-            let at = self.particle_at(set, p);
-            self.close_account(set, p);
-            self.state.events.push(Event {
-                step: self.state.clock.step + 1,
-                time: self.state.clock.time,
-                kind: EventKind::Removed(at),
-            });
-        }
-        self.state.sets[set].remove(&gone, &self.work.grid.team);
-        Ok(())
+        Ok(gone)
     }
 
     /// Quantity of a particle that is not finite: the result of its law, or another.

@@ -89,8 +89,10 @@ pub struct Grid {
     pub shape: GridShape,
     /// The fields: that of the phase, those of bodies in order of their identifiers, then that of the pore water.
     pub fields: Vec<VelocityField>,
-    /// Planes of each slab; together all planes.
+    /// Planes of each slab; together the planes that this process owns.
     pub slabs: Vec<Range<usize>>,
+    /// Planes that this process owns: all, where no ranks share the simulation.
+    pub(super) owned: Range<usize>,
     /// True where two fields share their velocity where they meet, by number, row by row.
     pub joined: Vec<bool>,
     /// Threads that share the slabs.
@@ -160,14 +162,15 @@ impl Grid {
     /// A grid without particles.
     #[must_use]
     pub(crate) fn new(shape: GridShape, team: Arc<Team>, least_share: Option<usize>) -> Self {
-        let slabs = std::iter::once(0..shape.nodes[0]).collect();
+        let owned = 0..shape.nodes[0];
         Self {
             fields: vec![VelocityField {
                 owner: Owner::Phase,
                 nodes: Nodes::new(shape.nodes.iter().product()),
                 rows: ActiveRows::default(),
             }],
-            slabs,
+            slabs: std::iter::once(owned.clone()).collect(),
+            owned,
             joined: vec![true],
             shape,
             team,
@@ -201,6 +204,12 @@ impl Grid {
                 field.nodes = Nodes::new(self.shape.nodes.iter().product());
             }
         }
+        self.cut(sets);
+    }
+
+    /// Owns these planes from here on, and cuts them into slabs.
+    pub(super) fn own(&mut self, planes: Range<usize>, sets: &[ParticleSet]) {
+        self.owned = planes;
         self.cut(sets);
     }
 
@@ -261,7 +270,7 @@ impl Grid {
         }
     }
 
-    /// Nodes with mass of the fields of bodies that move freely, with their index, field by field and row by row; `driven` says of a
+    /// Owned nodes with mass of the fields of bodies that move freely, with their index, field by field and row by row; `driven` says of a
     /// body whether its motion is prescribed.
     pub(crate) fn free_nodes(
         &self,
@@ -287,7 +296,8 @@ impl Grid {
     ) -> impl Iterator<Item = (usize, &Line)> {
         numbers.flat_map(|number| {
             let lines = self.fields[number].nodes.lines();
-            let nodes = self.fields[number].rows.nodes(&self.shape).flatten();
+            let rows = &self.fields[number].rows;
+            let nodes = rows.nodes_of(self.owned.clone(), &self.shape).flatten();
             nodes
                 .map(|node| (node, &lines[node]))
                 .filter(|(_, line)| line[0] > 0.0)
@@ -332,7 +342,7 @@ impl Grid {
         particles.div_ceil(shares).max(self.least_share.div_ceil(4))
     }
 
-    /// Cuts the planes into slabs of which the largest is as small as can be.
+    /// Cuts the planes that this process owns into slabs of which the largest is as small as can be.
     fn cut(&mut self, sets: &[ParticleSet]) {
         let threads = self.team.count();
         let of_plane = |plane: usize| -> usize {
@@ -342,7 +352,7 @@ impl Grid {
         let PlaneCounts { particles, work } = &mut self.cutting;
         particles.clear();
         if threads > 1 {
-            particles.extend((0..self.shape.nodes[0]).map(of_plane));
+            particles.extend(self.owned.clone().map(of_plane));
         }
         let total: usize = particles.iter().sum();
         let in_use = particles.iter().filter(|count| **count > 0).count();
@@ -355,11 +365,14 @@ impl Grid {
         let most = (threads * of_thread).min(total / self.least_share);
         self.slabs.clear();
         if threads == 1 || most <= 1 {
-            self.slabs.push(0..self.shape.nodes[0]);
+            self.slabs.push(self.owned.clone());
         } else {
             work.clear();
             work.extend(work_of_planes(particles));
             cut_into(work, most, &mut self.slabs);
+            for slab in &mut self.slabs {
+                *slab = self.owned.start + slab.start..self.owned.start + slab.end;
+            }
         }
     }
 
@@ -377,9 +390,13 @@ impl Grid {
     ) {
         let per_plane = self.shape.plane_nodes();
         let (shape, joined) = (&self.shape, &self.joined[..]);
+        let before = self.owned.start * per_plane;
         let fields = self.fields.iter_mut();
         let mut rest: SmallVec<[_; FEW_FIELDS]> = fields
-            .map(|field| (field.owner, &field.rows, field.nodes.lines_mut()))
+            .map(|field| {
+                let lines = field.nodes.lines_mut();
+                (field.owner, &field.rows, &mut lines[before..])
+            })
             .collect();
         let slabs = self.slabs.iter().map(move |range| {
             let fields = rest.iter_mut().map(|(owner, rows, rest)| SlabField {

@@ -106,7 +106,7 @@ impl Cycle {
         if left > 0.0 {
             return;
         }
-        let mut farthest = (1.0, None);
+        let mut farthest: (f64, Option<(usize, usize)>) = (1.0, None);
         for (index, (set, body)) in self.state.sets.iter().zip(&self.model.bodies).enumerate() {
             let columns = (&set.columns[Layout::VOLUME], &set.columns[Layout::MASS]);
             // What parts may grow as it likes.
@@ -126,13 +126,13 @@ impl Cycle {
                 }
             }
         }
-        let (factor, at) = farthest;
+        let at = farthest.1.map(|(set, p)| (set, self.particle_at(set, p)));
+        let (factor, at) = self.join_farthest((farthest.0, at));
         self.state.invariants.volume_left = libm::log(MOST_VOLUME_RATIO / factor);
-        let Some((set, p)) = at.filter(|_| factor > MOST_VOLUME_RATIO) else {
+        let Some((set, particle)) = at.filter(|_| factor > MOST_VOLUME_RATIO) else {
             return;
         };
         self.state.invariants.volume_left = f64::INFINITY;
-        let particle = self.particle_at(set, p);
         let ratio = particle.volume * self.model.bodies[set].density / particle.mass;
         self.state.events.push(Event {
             step: info.step,
@@ -204,6 +204,7 @@ impl Cycle {
                 sum.add(term);
             }
         }
+        self.join_sums(&mut sums);
         let [x, y, z, scale] = sums.map(|sum| sum.value());
         ([x, y, z], scale)
     }
@@ -213,7 +214,7 @@ impl Cycle {
         let settings = &self.model.settings;
         let mesh = &settings.mesh;
         let axes = self.model.plan.axes;
-        (0..axes).any(|axis| {
+        let here = (0..axes).any(|axis| {
             let acts = [0, 1].map(|side| settings.plane_acts(axis, side));
             if acts == [false; 2] {
                 return false;
@@ -231,7 +232,8 @@ impl Cycle {
             columns
                 .flat_map(|set| &set.columns[Layout::POSITION + axis])
                 .any(|x| !(low..=high).contains(x))
-        })
+        });
+        self.holds_anywhere(here)
     }
 }
 

@@ -2,6 +2,7 @@
 //! how particles are stored nor on who adds them.
 
 use super::Cycle;
+use super::ranks::Removed;
 use crate::exact_sum::{ExactSum, exact_sum};
 use crate::laws::{Particle, StoredParticle};
 use crate::layout::Layout;
@@ -147,7 +148,8 @@ impl Cycle {
         }
     }
 
-    /// Hash of the particle state in order of the identifier: the bits of every column of every set.
+    /// Hash of the particle state in order of the identifier: the bits of every column of every set that is here
+    /// ([`Cycle::gather`] brings all of a shared simulation).
     #[must_use]
     pub fn state_hash(&self) -> u64 {
         state_hash(&self.state.sets)
@@ -161,12 +163,13 @@ impl Cycle {
         sums: &mut [ExactSum; K],
     ) {
         let team = self.work.grid.team_of_particles();
-        let share = team.share(set.len(), ItemCost::Small);
-        let firsts = (0..set.len()).step_by(share);
+        let own = self.own_particles(set);
+        let share = team.share(own.len(), ItemCost::Small);
+        let firsts = own.clone().step_by(share);
         let sums = Mutex::new(sums);
         team.each(firsts, |first| {
             let mut part = [ExactSum::ZERO; K];
-            for p in first..(first + share).min(set.len()) {
+            for p in first..(first + share).min(own.end) {
                 for (sum, term) in part.iter_mut().zip(terms(p)) {
                     sum.add(term);
                 }
@@ -205,6 +208,7 @@ impl Cycle {
                 self.add_each(set, |p| terms(index, p), &mut sums);
             }
         }
+        self.join_sums(&mut sums);
         sums.map(|sum| sum.value())
     }
 
@@ -216,6 +220,7 @@ impl Cycle {
     ) -> [f64; K] {
         let mut sums = [ExactSum::ZERO; K];
         self.add_each(set, terms, &mut sums);
+        self.join_sums(&mut sums);
         sums.map(|sum| sum.value())
     }
 
@@ -236,15 +241,16 @@ impl Cycle {
         (0..3).map(|axis| (m * g[axis] + own[axis]) * x[axis]).sum()
     }
 
-    /// Takes a particle that is removed out of the balance, and notes the energy that goes with it.
-    pub(super) fn close_account(&mut self, index: usize, p: usize) {
+    /// The account of a particle that is removed.
+    pub(super) fn account(&self, index: usize, p: usize) -> Removed {
         let set = &self.state.sets[index];
         let square: f64 = set.velocity(p).iter().map(|c| c * c).sum();
         let kinetic = 0.5 * set.columns[Layout::MASS][p] * square;
-        let energy = kinetic + self.strain_energy_of(index, p) + self.plastic_work_of(index, p);
-        let load = self.dead_load(set, p);
-        self.state.ledger.removed += energy;
-        self.state.ledger.dead_load_origin -= load;
+        Removed {
+            at: self.particle_at(index, p),
+            energy: kinetic + self.strain_energy_of(index, p) + self.plastic_work_of(index, p),
+            load: self.dead_load(set, p),
+        }
     }
 }
 

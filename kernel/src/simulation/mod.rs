@@ -22,6 +22,7 @@ mod motion;
 mod nodes;
 mod passes;
 mod phase;
+mod ranks;
 mod rehearsal;
 mod relaxation;
 mod result_quality;
@@ -52,6 +53,8 @@ pub use interactions::{
 pub use mapping::{NodeWeights, node_weights, node_weights_touching};
 pub use nodes::NodeValues;
 pub use phase::Phase;
+use ranks::Share;
+pub use ranks::{NotShared, OwnPart};
 pub use rehearsal::{Part, Rehearsal};
 pub use result_quality::{MOST_REMAINDER, ResultQuality};
 pub use start::Start;
@@ -94,10 +97,11 @@ impl Cycle {
         &self.state.sets
     }
 
-    /// Number of particles.
+    /// Number of particles; of all ranks, where they share the simulation.
     #[must_use]
     pub fn particles(&self) -> usize {
-        self.state.sets.iter().map(ParticleSet::len).sum()
+        let here = || self.state.sets.iter().map(ParticleSet::len).sum();
+        self.work.share.as_ref().map_or_else(here, Share::particles)
     }
 
     /// Number of nodes that particles can reach until the next sort.

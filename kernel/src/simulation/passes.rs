@@ -4,9 +4,7 @@ use super::Cycle;
 use super::conditions::load_on;
 use super::interactions::{Interaction, Interactions, SlabParts, in_turn, on_slabs};
 use super::mapping::particle_to_grid;
-use super::motion::{
-    SlabInteractions, fold, solve, solve_mapped, solve_remapped, sums_after, total,
-};
+use super::motion::{SlabInteractions, fold, solve, solve_mapped, solve_remapped, sums_after};
 use super::phase::{Phase, PhaseTimer};
 use crate::grid::Line;
 use crate::memory::Memory;
@@ -18,6 +16,7 @@ use crate::simulation::work_state::{G2pShare, SlabSolution, WorkState};
 use crate::stage::g2p::{self, G2p, ParticleMaxima, Task, dilation};
 use crate::stage::p2g::Carry;
 use crate::stage::solve::EmptyNode;
+use smallvec::SmallVec;
 use std::sync::atomic::{self, AtomicUsize};
 
 /// Travel in cells after which particles are sorted again whatever it costs. Rows and slabs allow for one cell.
@@ -25,6 +24,9 @@ const SORT_AFTER: f64 = 0.45;
 /// Superfluous groups per particle after which a sort has paid: particles that left their cell break groups
 /// apart, and two such groups cost about as much as sorting one particle.
 const SORT_AFTER_GROUPS: f64 = 0.5;
+
+/// Maxima over the particles of bodies, with their places; few take no memory.
+type BodyMaxima = SmallVec<[(usize, ParticleMaxima); 8]>;
 
 /// The parts of a simulation in a visit of the slabs.
 pub(super) struct VisitParts<'a> {
@@ -86,6 +88,7 @@ impl Cycle {
         let stale = self.state.travel > SORT_AFTER
             || superfluous > SORT_AFTER_GROUPS * self.particles() as f64;
         if stale {
+            self.migrate();
             let reach = (self.model.family(), self.state.stencil);
             let sets = &mut self.state.sets;
             self.work.grid.sort(sets, reach, self.model.lanes);
@@ -100,13 +103,14 @@ impl Cycle {
     /// Asks the system for the memory of nodes that particles reach since a sort, where they have become many more: without it a
     /// process ends without a word.
     pub(super) fn ask_for_nodes(&mut self) -> Result<(), StepError> {
-        let Some(nodes) = self.work.grid.touched.growth() else {
-            return Ok(());
-        };
-        let bytes = nodes as f64 * (size_of::<Line>() * self.work.grid.fields.len()) as f64;
-        Memory::of_machine()
-            .require(format!("{nodes} more nodes that particles reach"), bytes)
-            .map_err(|error| self.error(StepErrorKind::Memory(error)))
+        let growth = self.work.grid.touched.growth();
+        let asked = growth.map_or(Ok(()), |nodes| {
+            let bytes = nodes as f64 * (size_of::<Line>() * self.work.grid.fields.len()) as f64;
+            Memory::of_machine()
+                .require(format!("{nodes} more nodes that particles reach"), bytes)
+                .map_err(|error| self.error(StepErrorKind::Memory(error)))
+        });
+        self.fail_together(asked)
     }
 
     /// True if P2G is a pass of its own, since an interaction or a condition reads the nodes before the equation of motion.
@@ -124,7 +128,8 @@ impl Cycle {
             groups.fetch_add(context.map(&mut slab), atomic::Ordering::Relaxed);
         });
         self.work.nodal = nodal;
-        self.state.groups.count(groups.into_inner());
+        let groups = self.join_count(groups.into_inner());
+        self.state.groups.count(groups);
         self.work.phase_timer.end(Phase::P2gAndSolve);
     }
 
@@ -150,23 +155,24 @@ impl Cycle {
 
     /// The equation of motion of all fields on the nodal sums; the number of nodes or vertices where an interaction acts.
     pub(super) fn solve(&mut self, nodal: &NodalConditions) -> Result<usize, StepError> {
-        self.visit_and_solve(nodal, false)
+        let (touching, _) = self.visit_and_solve(nodal, false)?;
+        Ok(touching)
     }
 
     /// P2G and the equation of motion, slab by slab in one visit; the number of nodes or vertices where an interaction acts.
     pub(super) fn p2g_and_solve(&mut self, nodal: &NodalConditions) -> Result<usize, StepError> {
-        let touching = self.visit_and_solve(nodal, true)?;
-        let groups = self.work.solved.iter().map(|slab| slab.groups).sum();
+        let (touching, groups) = self.visit_and_solve(nodal, true)?;
         self.state.groups.count(groups);
         Ok(touching)
     }
 
-    /// The equation of motion in one visit of the slabs, with P2G before it on each or without.
+    /// The equation of motion in one visit of the slabs, with P2G before it on each or without; the number of nodes or vertices
+    /// where an interaction acts, and that of groups that P2G met.
     fn visit_and_solve(
         &mut self,
         nodal: &NodalConditions,
         with_p2g: bool,
-    ) -> Result<usize, StepError> {
+    ) -> Result<(usize, usize), StepError> {
         for one in &mut self.work.interactions {
             one.add_forces(&mut self.work.grid, &self.model.settings);
             if one.detects() {
@@ -193,17 +199,18 @@ impl Cycle {
         });
         drop(parts);
         self.work.solved = solved;
-        let solved = &self.work.solved;
-        if let Some(EmptyNode(node)) = solved.iter().find_map(|slab| slab.empty) {
+        let all = self.join_slabs();
+        if let Some(EmptyNode(node)) = all.empty {
             return Err(self.load_on_empty_node(node));
         }
-        self.work.sums = total(solved.iter().flat_map(|slab| &slab.sums.planes));
+        self.work.sums = all.sums;
         self.work.phase_timer.end(Phase::P2gAndSolve);
         let touching = self.settle(nodal)?;
         if settles {
             self.work.phase_timer.end(Phase::Contact);
         }
-        Ok(touching)
+        self.exchange_planes();
+        Ok((touching, all.groups))
     }
 
     /// Places for what the visit of each slab gives.
@@ -358,12 +365,18 @@ impl Cycle {
                 let fault = part.fault.map(|(p, kind)| (start + p, kind));
                 (gathered.body, gathered.found) = (index, ParticleMaxima { fault, ..part });
             });
+        let mut maxima: BodyMaxima = gathered
+            .chunk_by(|one, other| one.body == other.body)
+            .map(|of_body| {
+                let parts = of_body.iter().map(|part| part.found);
+                let all = parts.fold(ParticleMaxima::default(), ParticleMaxima::and);
+                (of_body[0].body, all)
+            })
+            .collect();
+        self.join_maxima(&mut maxima);
         let mut travel = 0.0_f64;
         let mut faults = vec![];
-        for of_body in gathered.chunk_by(|one, other| one.body == other.body) {
-            let index = of_body[0].body;
-            let parts = of_body.iter().map(|part| part.found);
-            let all = parts.fold(ParticleMaxima::default(), ParticleMaxima::and);
+        for (index, all) in maxima {
             travel = travel.max(all.travel);
             let found = &mut self.state.found[index];
             if task.kick {
@@ -372,7 +385,7 @@ impl Cycle {
             if task.strain.is_some() {
                 found.wave_speed_squared = all.wave_speed_squared;
                 found.increment_squared = all.increment_squared;
-                let updated = bodies[index].domain_update.is_some();
+                let updated = self.model.bodies[index].domain_update.is_some();
                 let before = if updated { 0.0 } else { found.half_length };
                 found.half_length = all.half_length.max(before);
             }
@@ -381,7 +394,7 @@ impl Cycle {
             }
         }
         self.state.travel += travel;
-        self.judge(&faults)?;
+        self.judge_together(&faults)?;
         if task.strain.is_some() && self.model.plan.domain_update.is_some() {
             self.widen_stencil()?;
         }

@@ -240,6 +240,7 @@ impl Cycle {
         }
         self.watch(info, drift)?;
         self.watch_tension(info)?;
+        self.compare_ghosts(info.step)?;
         self.work.phase_timer.end(Phase::Finish);
         Ok(*info)
     }

@@ -4,6 +4,7 @@ use super::interactions::Interactions;
 use super::invariants::Momentum;
 use super::motion::SlabSums;
 use super::phase::PhaseTimer;
+use super::ranks::Share;
 use super::tension::TensionWatch;
 use crate::simulation::context::NodalConditions;
 use crate::simulation::fields::Grid;
@@ -38,6 +39,8 @@ pub(crate) struct WorkState {
     pub(crate) momentum: Option<Momentum>,
     /// The growth of particles in tension, where the method may lose it.
     pub(crate) tension: Option<TensionWatch>,
+    /// The part of this process, where ranks share the simulation.
+    pub(crate) share: Option<Share>,
 }
 
 impl WorkState {
@@ -57,6 +60,7 @@ impl WorkState {
             forces: vec![],
             momentum: None,
             tension: None,
+            share: None,
         }
     }
 }

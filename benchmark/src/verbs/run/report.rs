@@ -60,6 +60,10 @@ impl fmt::Display for Report<'_> {
                 1 => "1 thread".to_owned(),
                 n => format!("{n} threads"),
             };
+            let threads = match s.ranks {
+                None => threads,
+                Some(ranks) => format!("{ranks} ranks, each {threads}"),
+            };
             let text = format!(
                 "{} wall, {} CPU ({threads}, {} lanes)",
                 seconds(wall),

@@ -57,8 +57,11 @@ pub struct Summary {
     /// CPU time per particle and step \[ns\].
     #[serde(default, skip_serializing_if = "no_number")]
     pub ns_per_particle_step: Option<f64>,
-    /// Number of threads.
+    /// Number of threads, of each rank where there are several.
     pub threads: usize,
+    /// Number of ranks; left out where there is one process.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ranks: Option<usize>,
     /// Lanes of the inner loops: `avx512`, `avx2` or `scalar`.
     pub lanes: String,
     /// Mass of all particles at the end \[kg\].

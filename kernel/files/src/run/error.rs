@@ -2,7 +2,7 @@
 
 use crate::output::{CheckpointError, OutputError};
 use proctor_scene::Problem;
-use proctor_scene::simulation::{SetupError, StepError};
+use proctor_scene::simulation::{NotShared, SetupError, StepError};
 use thiserror::Error;
 
 /// A run cannot start or go on.
@@ -23,12 +23,27 @@ pub enum RunError {
     /// A step failed.
     #[error(transparent)]
     Step(#[from] StepError),
+    /// Ranks cannot share the scene. Bad input.
+    #[error(transparent)]
+    NotShared(#[from] NotShared),
+    /// Another rank cannot start or go on; it has the error.
+    #[error("rank {rank} cannot go on")]
+    OtherRank {
+        /// Its number, from 0.
+        rank: usize,
+        /// True if its input is at fault.
+        bad_input: bool,
+    },
 }
 
 impl RunError {
     /// True if the input is at fault (exit code 2) and not the run (exit code 1).
     #[must_use]
     pub fn is_bad_input(&self) -> bool {
-        !matches!(self, Self::Step(_))
+        match self {
+            Self::Step(_) => false,
+            Self::OtherRank { bad_input, .. } => *bad_input,
+            _ => true,
+        }
     }
 }

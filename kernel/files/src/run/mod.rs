@@ -20,6 +20,7 @@ mod grid;
 mod history;
 mod loads;
 mod probes;
+mod ranks;
 mod restart;
 mod schedule;
 mod start_state;
@@ -35,6 +36,7 @@ use crate::output::summary::{
 };
 use crate::output::{OutputFolder, Summary};
 use files::Files;
+use proctor_kernel::ranks::Ranks;
 use proctor_scene::Scene;
 use proctor_scene::plan::Plan;
 use proctor_scene::simulation::{
@@ -60,6 +62,8 @@ pub const STEPS_PER_LOOK: u64 = 50;
 /// A simulation with its files.
 pub struct Run {
     simulation: Simulation,
+    /// The ranks that share the simulation, where there are several.
+    ranks: Option<Arc<dyn Ranks>>,
     /// Changes of a restart, in words.
     changes: Vec<String>,
     files: Option<Files>,
@@ -71,13 +75,32 @@ pub struct Run {
 
 impl Run {
     /// Sets up a simulation, and in `folder`, if given, its files with the state at the start. A start state in the options
-    /// stands for the run that the scene begins from. With `restart`
+    /// stands for the run that the scene begins from. Where the options have ranks, they share the simulation: each calls the
+    /// functions of its run as the others do, and the first one has the files. With `restart`
     /// the state comes from a checkpoint of the same scene, not from the run that the scene begins from, and files in the folder are continued; without it what the
     /// lists of an earlier run name there is taken away. The folder belongs to this run until it is dropped.
     ///
     /// # Errors
     /// See [`RunError`]. Nothing is written unless the scene and the checkpoint are sound.
     pub fn start(
+        scene: &Scene,
+        options: &Options,
+        folder: Option<&Path>,
+        restart: Option<&Path>,
+    ) -> Result<Self, RunError> {
+        let ranks = options.ranks.clone().filter(|ranks| ranks.count() > 1);
+        let started = Self::start_alone(scene, options, folder, restart);
+        let mut run = ranks::agree(ranks.as_deref(), started)?;
+        if let Some(ranks) = ranks {
+            let shared = run.simulation.share_among(Arc::clone(&ranks));
+            run.ranks = Some(ranks);
+            shared?;
+        }
+        Ok(run)
+    }
+
+    /// Sets up the whole simulation, with its files on the first rank.
+    fn start_alone(
         scene: &Scene,
         options: &Options,
         folder: Option<&Path>,
@@ -98,7 +121,8 @@ impl Run {
                 (Simulation::new(scene, &options)?, vec![])
             }
         };
-        let files = match folder {
+        let first = options.ranks.as_ref().is_none_or(|ranks| ranks.rank() == 0);
+        let files = match folder.filter(|_| first) {
             None => None,
             Some(folder) => {
                 let folder = OutputFolder::claim(folder)?;
@@ -109,6 +133,7 @@ impl Run {
         };
         Ok(Self {
             simulation,
+            ranks: None,
             changes,
             files,
             interrupted: false,
@@ -149,11 +174,29 @@ impl Run {
         mut observe: impl FnMut(&StepInfo) -> RunControl + Send,
     ) -> Result<(), RunError> {
         while self.step_until(stop, &mut observe)? {
-            if let Some(files) = &mut self.files {
-                files.write_due_row(&mut self.simulation)?;
-            }
+            self.with_whole(Files::write_due_row)?;
         }
         Ok(())
+    }
+
+    /// True if the run was stopped before its end.
+    #[must_use]
+    pub fn is_interrupted(&self) -> bool {
+        self.interrupted
+    }
+
+    /// Calls `act` with the files and the whole simulation, on the first of several ranks.
+    fn with_whole(
+        &mut self,
+        act: impl FnOnce(&mut Files, &mut Simulation) -> Result<(), RunError>,
+    ) -> Result<(), RunError> {
+        let part = self.simulation.gather();
+        let files = self.files.as_mut();
+        let done = files.map_or(Ok(()), |files| act(files, &mut self.simulation));
+        if let Some(part) = part {
+            self.simulation.put_back(part);
+        }
+        ranks::agree(self.ranks.as_deref(), done)
     }
 
     /// Steps until the time `stop`, or until a state is to have a row in the history: then true.
@@ -165,20 +208,23 @@ impl Run {
         let slack = forecast::slack(self.simulation.scene());
         let files = self.files.as_ref();
         let (simulation, interrupted) = (&mut self.simulation, &mut self.interrupted);
-        let balanced = &mut self.balanced;
+        let (balanced, ranks) = (&mut self.balanced, self.ranks.as_deref());
         let team = simulation.team();
         let result = team.lead(|| {
             while simulation.time() + slack < stop {
                 let info = simulation.step(stop)?;
-                if observe(&info) == RunControl::Stop {
+                let stop = observe(&info) == RunControl::Stop;
+                let row = files.is_some_and(|files| files.is_row_due(simulation));
+                let [stop, row] = ranks::any(ranks, [stop, row]);
+                if stop {
                     *interrupted = true;
                     return Ok(false);
                 }
-                if info.step % STEPS_PER_LOOK == 0 && is_balanced(simulation) {
+                if info.step % STEPS_PER_LOOK == 0 && is_balanced(simulation, ranks) {
                     *balanced = true;
                     return Ok(false);
                 }
-                if files.is_some_and(|files| files.is_row_due(simulation)) {
+                if row {
                     return Ok(true);
                 }
             }
@@ -196,22 +242,58 @@ impl Run {
     /// # Errors
     /// See [`RunError`].
     pub fn write(&mut self) -> Result<(), RunError> {
-        match &mut self.files {
-            Some(files) if self.failure.is_none() => files.write(&mut self.simulation),
-            _ => Ok(()),
+        if self.failure.is_some() {
+            return Ok(());
+        }
+        self.with_whole(Files::write)
+    }
+
+    /// The energy balance; of several ranks the first has it, and the others zeros.
+    #[must_use]
+    pub fn energy(&mut self) -> Energy {
+        let first = self.ranks.as_ref().is_none_or(|ranks| ranks.rank() == 0);
+        let part = self.simulation.gather();
+        let energy = if first {
+            self.simulation.energy()
+        } else {
+            Energy::default()
+        };
+        if let Some(part) = part {
+            self.simulation.put_back(part);
+        }
+        energy
+    }
+
+    /// Summary of the run and its ending; the caller adds the times of the clock. Of several ranks the first has it; the others
+    /// have the ending alone.
+    #[must_use]
+    pub fn summary(&mut self) -> Summary {
+        let part = self.simulation.gather();
+        let first = self.ranks.as_ref().is_none_or(|ranks| ranks.rank() == 0);
+        let summary = if first {
+            self.summary_of_whole()
+        } else {
+            Summary {
+                status: self.status(),
+                ..Summary::default()
+            }
+        };
+        if let Some(part) = part {
+            self.simulation.put_back(part);
+        }
+        summary
+    }
+
+    fn status(&self) -> Status {
+        match (&self.failure, self.interrupted) {
+            (Some(_), _) => Status::Failed,
+            (None, true) => Status::Interrupted,
+            (None, false) => Status::Finished,
         }
     }
 
-    /// The energy balance.
-    #[must_use]
-    pub fn energy(&mut self) -> Energy {
-        self.simulation.energy()
-    }
-
-    /// Summary of the run and its ending; the caller adds the times of the clock.
-    #[must_use]
-    pub fn summary(&mut self) -> Summary {
-        let energy = self.energy();
+    fn summary_of_whole(&mut self) -> Summary {
+        let energy = self.simulation.energy();
         let simulation = &self.simulation;
         let earlier = self.files.as_ref().map(Files::cautions);
         let mut cautions = earlier.unwrap_or_default().to_vec();
@@ -251,6 +333,7 @@ impl Run {
             dt_max: stepped.then_some(clock.dt_max),
             dt_critical: stepped.then_some(clock.dt_critical),
             threads: simulation.threads(),
+            ranks: self.ranks.as_ref().map(|ranks| ranks.count()),
             lanes: simulation.lanes().name().into(),
             mass: Some(simulation.mass()),
             momentum: simulation.momentum()[..axes].to_vec(),
@@ -287,11 +370,7 @@ impl Run {
             warnings: cautions.iter().map(warning).collect(),
             events: simulation.events().iter().map(event).collect(),
             state_hash: simulation.state_hash(),
-            status: match (&self.failure, self.interrupted) {
-                (Some(_), _) => Status::Failed,
-                (None, true) => Status::Interrupted,
-                (None, false) => Status::Finished,
-            },
+            status: self.status(),
             error: self.failure.as_ref().map(ToString::to_string),
             ..Summary::default()
         }
@@ -314,12 +393,22 @@ impl Run {
 }
 
 /// True once forces are in balance, where the scene ends by that.
-fn is_balanced(simulation: &mut Simulation) -> bool {
-    let until = simulation.scene().until;
-    until.is_some_and(|until| {
-        let share = simulation.unbalanced_share();
-        share.is_some_and(|share| share < until)
-    })
+fn is_balanced(simulation: &mut Simulation, ranks: Option<&dyn Ranks>) -> bool {
+    let Some(until) = simulation.scene().until else {
+        return false;
+    };
+    let part = simulation.gather();
+    let first = ranks.is_none_or(|ranks| ranks.rank() == 0);
+    let share = if first {
+        simulation.unbalanced_share()
+    } else {
+        None
+    };
+    if let Some(part) = part {
+        simulation.put_back(part);
+    }
+    let [balanced] = ranks::any(ranks, [share.is_some_and(|share| share < until)]);
+    balanced
 }
 
 /// The plan as JSON: what is kept, what is left out, why, and the bytes.

@@ -6,6 +6,7 @@ use proctor_geometry::team::Team;
 use proctor_kernel::lanes::LaneChoice;
 use proctor_kernel::laws::{Component, UNDEFORMED};
 use proctor_kernel::model::Vector;
+use proctor_kernel::ranks::Ranks;
 use proctor_kernel::simulation::{BodyForce, Condition, Interaction};
 use std::fmt;
 use std::sync::Arc;
@@ -86,6 +87,9 @@ pub struct Options {
     pub conditions: Vec<Arc<dyn Condition>>,
     /// Interactions of velocity fields beside those of the scene. They act after those.
     pub interactions: Vec<Box<dyn Interaction>>,
+    /// Ranks that share the simulation once it runs ([`share_among`](proctor_kernel::simulation::Cycle::share_among)): a set-up
+    /// does not look at them, a run does.
+    pub ranks: Option<Arc<dyn Ranks>>,
     /// Memory that the scene may need; else all that the machine has free.
     pub memory: Option<Memory>,
 }

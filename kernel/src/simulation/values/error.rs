@@ -242,6 +242,16 @@ pub enum StepErrorKind {
     },
     /// Particles reach nodes for which there is no memory.
     Memory(OutOfMemory),
+    /// Another rank cannot go on; it has the error.
+    OtherRank {
+        /// Its number, from 0.
+        rank: usize,
+    },
+    /// Copies of particles have other values than their owner has: memory is wrong, or programs differ.
+    RanksDisagree {
+        /// The rank that found it.
+        rank: usize,
+    },
     /// A cpGIMP domain grew beyond one cell, where the weights are no longer a partition of unity.
     DomainTooLarge {
         /// Half-length in cells.
@@ -384,6 +394,12 @@ impl fmt::Display for StepError {
                 POROSITIES[0], POROSITIES[1]
             ),
             StepErrorKind::Memory(error) => write!(f, "{error}"),
+            StepErrorKind::OtherRank { rank } => write!(f, "rank {rank} cannot go on"),
+            StepErrorKind::RanksDisagree { rank } => write!(
+                f,
+                "copies of particles on rank {rank} have other values than on the rank that owns them; accepted: the same program \
+                 on all ranks, and memory without errors"
+            ),
             StepErrorKind::DomainTooLarge { half_length } => write!(
                 f,
                 "a particle domain has a half-length of {half_length} cells; cpGIMP needs at most 1"

@@ -23,6 +23,46 @@ pub struct PlaneSums {
     pub drag: f64,
 }
 
+impl PlaneSums {
+    /// The sums as numbers, in the order of the fields.
+    pub(crate) fn numbers(&self) -> [f64; 8] {
+        [
+            self.kinetic,
+            self.unbalanced_squared,
+            self.power,
+            self.damping,
+            self.friction,
+            self.impact,
+            self.absorbed,
+            self.drag,
+        ]
+    }
+
+    /// The sums that gave these numbers.
+    pub(crate) fn from_numbers(numbers: [f64; 8]) -> Self {
+        let [
+            kinetic,
+            unbalanced_squared,
+            power,
+            damping,
+            friction,
+            impact,
+            absorbed,
+            drag,
+        ] = numbers;
+        Self {
+            kinetic,
+            unbalanced_squared,
+            power,
+            damping,
+            friction,
+            impact,
+            absorbed,
+            drag,
+        }
+    }
+}
+
 impl AddAssign<&Self> for PlaneSums {
     fn add_assign(&mut self, other: &Self) {
         self.kinetic += other.kinetic;

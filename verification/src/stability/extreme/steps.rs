@@ -166,6 +166,8 @@ fn is_blow_up(kind: &StepErrorKind) -> bool {
             | StepErrorKind::Porosity { .. }
             | StepErrorKind::DomainTooLarge { .. }
             | StepErrorKind::Memory(_)
+            | StepErrorKind::OtherRank { .. }
+            | StepErrorKind::RanksDisagree { .. }
     )
 }
 

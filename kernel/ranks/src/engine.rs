@@ -1,0 +1,181 @@
+//! MPI as the engine of ranks.
+//!
+//! A communicator belongs to the thread that started MPI, and so does everything here: a simulation that ranks share is stepped
+//! by that thread, with a team of threads of which it is one ([`Team::of_caller`](proctor_kernel::team::Team::of_caller)).
+
+use mpi::Threading;
+use mpi::datatype::PartitionMut;
+use mpi::environment::Universe;
+use mpi::request::{WaitGuard, scope};
+use mpi::topology::SimpleCommunicator;
+use mpi::traits::{Communicator, CommunicatorCollectives, Destination, Source};
+use proctor_kernel::ranks::Ranks;
+use std::cell::RefCell;
+use std::fmt;
+use std::sync::Arc;
+
+thread_local! {
+    /// The communicator of all ranks, on the thread that started MPI.
+    static WORLD: RefCell<Option<SimpleCommunicator>> = const { RefCell::new(None) };
+}
+
+/// MPI could not be started.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EngineError {
+    /// It was started before in this process.
+    StartedBefore,
+    /// It does not let a process with several threads speak from one of them.
+    Threads,
+}
+
+impl fmt::Display for EngineError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::StartedBefore => write!(f, "MPI was started before in this process"),
+            Self::Threads => write!(
+                f,
+                "this MPI serves no process with threads; accepted: one with MPI_THREAD_FUNNELED"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for EngineError {}
+
+/// MPI, from its start to its end. Whoever drops it waits for the other ranks to do so.
+pub struct Engine {
+    ranks: Arc<World>,
+    _universe: Universe,
+}
+
+impl Engine {
+    /// Starts MPI on the calling thread.
+    ///
+    /// # Errors
+    /// See [`EngineError`].
+    pub fn start() -> Result<Self, EngineError> {
+        let started = mpi::initialize_with_threading(Threading::Funneled);
+        let (universe, threading) = started.ok_or(EngineError::StartedBefore)?;
+        if threading < Threading::Funneled {
+            return Err(EngineError::Threads);
+        }
+        let world = universe.world();
+        let ranks = World {
+            rank: world.rank() as usize,
+            count: world.size() as usize,
+        };
+        WORLD.set(Some(world));
+        Ok(Self {
+            ranks: Arc::new(ranks),
+            _universe: universe,
+        })
+    }
+
+    /// The ranks of all processes. Messages are sent and received by the thread that started MPI; on another one they panic.
+    #[must_use]
+    pub fn ranks(&self) -> Arc<dyn Ranks> {
+        Arc::clone(&self.ranks) as Arc<dyn Ranks>
+    }
+}
+
+impl Drop for Engine {
+    fn drop(&mut self) {
+        // Before MPI ends.
+        WORLD.set(None);
+    }
+}
+
+/// All ranks.
+struct World {
+    rank: usize,
+    count: usize,
+}
+
+/// Calls `act` with the communicator of this thread.
+fn with_world<R>(act: impl FnOnce(&SimpleCommunicator) -> R) -> R {
+    WORLD.with_borrow(|world| match world {
+        Some(world) => act(world),
+        None => panic!("a rank speaks from the thread that started MPI"),
+    })
+}
+
+impl Ranks for World {
+    fn rank(&self) -> usize {
+        self.rank
+    }
+
+    fn count(&self) -> usize {
+        self.count
+    }
+
+    fn all_gather(&self, own: &[u64]) -> Vec<Vec<u64>> {
+        with_world(|world| {
+            let mut counts = vec![0_i32; self.count];
+            world.all_gather_into(&(own.len() as i32), &mut counts[..]);
+            let mut starts = Vec::with_capacity(self.count);
+            let mut end = 0;
+            for count in &counts {
+                starts.push(end);
+                end += count;
+            }
+            let mut words = vec![0_u64; end as usize];
+            {
+                let mut parts = PartitionMut::new(&mut words[..], &counts[..], &starts[..]);
+                world.all_gather_varcount_into(own, &mut parts);
+            }
+            let mut rest = &words[..];
+            counts
+                .iter()
+                .map(|&count| {
+                    let (part, behind) = rest.split_at(count as usize);
+                    rest = behind;
+                    part.to_vec()
+                })
+                .collect()
+        })
+    }
+
+    fn all_to_all(&self, mut parts: Vec<Vec<u64>>) -> Vec<Vec<u64>> {
+        let own = std::mem::take(&mut parts[self.rank]);
+        let others = || (0..self.count).filter(|rank| *rank != self.rank);
+        with_world(|world| {
+            let process = |rank: usize| world.process_at_rank(rank as i32);
+            let mut received = vec![vec![]; self.count];
+            received[self.rank] = own;
+            scope(|scope| {
+                let send = |rank| process(rank).immediate_send(scope, &parts[rank][..]);
+                let _sent: Vec<_> = others().map(|rank| WaitGuard::from(send(rank))).collect();
+                for rank in others() {
+                    received[rank] = process(rank).receive_vec().0;
+                }
+            });
+            received
+        })
+    }
+
+    fn exchange(&self, to: [Vec<u64>; 2]) -> [Vec<u64>; 2] {
+        let below = self.rank.checked_sub(1);
+        let above = Some(self.rank + 1).filter(|rank| *rank < self.count);
+        with_world(|world| {
+            let process = |rank: usize| world.process_at_rank(rank as i32);
+            let mut received = [vec![], vec![]];
+            scope(|scope| {
+                let neighbours = [below, above];
+                let sends = neighbours.iter().zip(&to);
+                let _sent: Vec<_> = sends
+                    .filter_map(|(rank, words)| {
+                        let rank = (*rank)?;
+                        let sent = process(rank).immediate_send(scope, &words[..]);
+                        Some(WaitGuard::from(sent))
+                    })
+                    .collect();
+                for (rank, words) in neighbours.iter().zip(&mut received) {
+                    if let Some(rank) = *rank {
+                        *words = process(rank).receive_vec().0;
+                    }
+                }
+            });
+            received
+        })
+    }
+}

@@ -1,0 +1,66 @@
+//! Ranks: processes that share one simulation, and the messages between them.
+//!
+//! Each rank owns a range of node planes along the first axis and the particles that begin there, and holds copies (ghosts) of
+//! the particles beside it that reach its planes. It computes its ghosts once more, in the order in which one process would, so
+//! that no bit depends on the number of ranks: see [`Cycle::share_among`](crate::simulation::Cycle::share_among). This file
+//! names the messages that a step needs; an engine such as MPI sends them.
+
+/// Ranks of one simulation. All of them call the same function at the same time, in the same order.
+///
+/// A message is a list of words: numbers and the bits of floating-point numbers. An engine that loses a rank ends the process:
+/// no function here returns an error.
+pub trait Ranks: Send + Sync {
+    /// Number of this rank, from 0.
+    fn rank(&self) -> usize;
+
+    /// Number of ranks.
+    fn count(&self) -> usize;
+
+    /// The words of each rank, in order of the ranks.
+    fn all_gather(&self, own: &[u64]) -> Vec<Vec<u64>>;
+
+    /// Sends a part to each rank, in their order; the part that each rank sent here, in their order.
+    fn all_to_all(&self, parts: Vec<Vec<u64>>) -> Vec<Vec<u64>>;
+
+    /// Sends words to the rank before and to the one after; the words that these sent here. The first and the last rank have
+    /// one neighbour: what they send beyond goes nowhere, and nothing comes from there.
+    fn exchange(&self, to: [Vec<u64>; 2]) -> [Vec<u64>; 2];
+}
+
+/// Words that are read one after the other.
+pub(crate) struct Words<'a>(std::slice::Iter<'a, u64>);
+
+impl<'a> Words<'a> {
+    /// Reads from the first on.
+    pub(crate) fn of(words: &'a [u64]) -> Self {
+        Self(words.iter())
+    }
+
+    /// The next word; zero behind the last.
+    pub(crate) fn word(&mut self) -> u64 {
+        self.0.next().copied().unwrap_or(0)
+    }
+
+    /// The next word as a count or a place.
+    pub(crate) fn count(&mut self) -> usize {
+        self.word() as usize
+    }
+
+    /// The next word as a number.
+    pub(crate) fn number(&mut self) -> f64 {
+        f64::from_bits(self.word())
+    }
+
+    /// The words that are left.
+    pub(crate) fn rest(&self) -> &'a [u64] {
+        self.0.as_slice()
+    }
+
+    /// The next words.
+    pub(crate) fn take(&mut self, count: usize) -> &'a [u64] {
+        let all = self.0.as_slice();
+        let (taken, rest) = all.split_at(count.min(all.len()));
+        self.0 = rest.iter();
+        taken
+    }
+}

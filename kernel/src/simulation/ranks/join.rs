@@ -1,0 +1,397 @@
+//! Values of a step that all ranks join: sums, maxima, counts, and faults of particles.
+
+use crate::exact_sum::ExactSum;
+use crate::particles::ParticleSet;
+use crate::ranks::{Ranks, Words};
+use crate::simulation::Cycle;
+use crate::simulation::motion::total;
+use crate::simulation::values::{ParticleAt, StepError, StepErrorKind};
+use crate::stage::g2p::{FaultKind, ParticleMaxima};
+use crate::stage::solve::{EmptyNode, PlaneSums};
+use std::hash::Hasher;
+use std::ops::Range;
+
+/// Steps from one comparison of ghosts with their owners to the next.
+const STEPS_PER_COMPARISON: u64 = 256;
+/// Word for no node.
+const NO_NODE: u64 = u64::MAX;
+
+/// Result of the equation of motion on all slabs of all ranks.
+pub(in crate::simulation) struct SolvedPlanes {
+    /// Groups of particles with a base node in common.
+    pub(in crate::simulation) groups: usize,
+    /// The first node without mass that a load acts on.
+    pub(in crate::simulation) empty: Option<EmptyNode>,
+    /// Sums over the planes, in their order.
+    pub(in crate::simulation) sums: PlaneSums,
+}
+
+/// A particle that left the mesh, with the energy and the dead load that go with it.
+pub(in crate::simulation) struct Removed {
+    pub(in crate::simulation) at: ParticleAt,
+    /// Kinetic, stored and dissipated energy \[J\].
+    pub(in crate::simulation) energy: f64,
+    /// Dead load times position \[J\].
+    pub(in crate::simulation) load: f64,
+}
+
+impl Cycle {
+    /// Particles of a set that this process owns; all, where no ranks share them.
+    pub(in crate::simulation) fn own_particles(&self, set: &ParticleSet) -> Range<usize> {
+        match &self.work.share {
+            None => 0..set.len(),
+            Some(share) => set.in_layers(share.planes()),
+        }
+    }
+
+    /// Takes removed particles out of the number of all.
+    pub(in crate::simulation) fn count_removed(&mut self, removed: usize) {
+        if let Some(share) = &mut self.work.share {
+            share.particles -= removed;
+        }
+    }
+
+    fn ranks(&self) -> Option<&dyn Ranks> {
+        self.work.share.as_ref().map(|share| &*share.ranks)
+    }
+
+    /// The sums of all ranks.
+    pub(in crate::simulation) fn join_sums(&self, sums: &mut [ExactSum]) {
+        let Some(ranks) = self.ranks() else { return };
+        let words: Vec<u64> = sums.iter().flat_map(ExactSum::words).collect();
+        sums.fill(ExactSum::ZERO);
+        for of_rank in ranks.all_gather(&words) {
+            let (all, _) = of_rank.as_chunks::<{ ExactSum::WORDS }>();
+            for (sum, words) in sums.iter_mut().zip(all) {
+                sum.merge(&ExactSum::from_words(words));
+            }
+        }
+    }
+
+    /// The largest of each number over all ranks.
+    pub(in crate::simulation) fn join_most(&self, numbers: &mut [f64]) {
+        let Some(ranks) = self.ranks() else { return };
+        let words: Vec<u64> = numbers.iter().map(|number| number.to_bits()).collect();
+        for of_rank in ranks.all_gather(&words) {
+            for (most, word) in numbers.iter_mut().zip(of_rank) {
+                *most = most.max(f64::from_bits(word));
+            }
+        }
+    }
+
+    /// True if something holds on any rank.
+    pub(in crate::simulation) fn holds_anywhere(&self, here: bool) -> bool {
+        let Some(ranks) = self.ranks() else {
+            return here;
+        };
+        let all = ranks.all_gather(&[u64::from(here)]);
+        all.iter().flatten().any(|word| *word != 0)
+    }
+
+    /// Sum of a count over all ranks.
+    pub(in crate::simulation) fn join_count(&self, here: usize) -> usize {
+        let Some(ranks) = self.ranks() else {
+            return here;
+        };
+        let all = ranks.all_gather(&[here as u64]);
+        all.iter().flatten().sum::<u64>() as usize
+    }
+
+    /// The result of the equation of motion, from that of each slab.
+    pub(in crate::simulation) fn join_slabs(&self) -> SolvedPlanes {
+        let slabs = &self.work.solved;
+        let groups = slabs.iter().map(|slab| slab.groups).sum();
+        let empty = slabs.iter().find_map(|slab| slab.empty);
+        let planes = slabs.iter().flat_map(|slab| &slab.sums.planes);
+        let Some(ranks) = self.ranks() else {
+            return SolvedPlanes {
+                groups,
+                empty,
+                sums: total(planes),
+            };
+        };
+        let mut words = vec![groups as u64, empty.map_or(NO_NODE, |empty| empty.0 as u64)];
+        words.extend(planes.flat_map(PlaneSums::numbers).map(f64::to_bits));
+        let mut all = SolvedPlanes {
+            groups: 0,
+            empty: None,
+            sums: PlaneSums::default(),
+        };
+        for of_rank in ranks.all_gather(&words) {
+            let mut words = Words::of(&of_rank);
+            all.groups += words.count();
+            let node = Some(words.word()).filter(|node| *node != NO_NODE);
+            all.empty = (all.empty).or(node.map(|node| EmptyNode(node as usize)));
+            for numbers in words.rest().as_chunks().0 {
+                all.sums += &PlaneSums::from_numbers(numbers.map(f64::from_bits));
+            }
+        }
+        all
+    }
+
+    /// The maxima over the particles of each body that moves freely, after a G2P pass, with the fault of each body; a fault of a
+    /// ghost is that of its owner.
+    pub(in crate::simulation) fn join_maxima(&mut self, bodies: &mut [(usize, ParticleMaxima)]) {
+        if self.work.share.is_none() {
+            return;
+        }
+        let viscosity = self.own_diffusivity();
+        let mut numbers = vec![viscosity];
+        for (_, found) in &*bodies {
+            numbers.extend([
+                found.speed_squared,
+                found.wave_speed_squared,
+                found.increment_squared,
+                found.travel,
+                found.half_length,
+            ]);
+        }
+        self.join_most(&mut numbers);
+        for ((body, found), numbers) in bodies.iter_mut().zip(numbers[1..].as_chunks().0) {
+            let own = self.own_particles(&self.state.sets[*body]);
+            [
+                found.speed_squared,
+                found.wave_speed_squared,
+                found.increment_squared,
+                found.travel,
+                found.half_length,
+            ] = *numbers;
+            found.fault = found.fault.filter(|(p, _)| own.contains(p));
+        }
+        if let Some(share) = &mut self.work.share {
+            share.diffusivity = numbers[0];
+        }
+    }
+
+    /// The largest longitudinal viscosity over density of all ranks \[m²/s\].
+    pub(in crate::simulation) fn diffusivity_of_all(&self) -> f64 {
+        let share = self.work.share.as_ref();
+        share.map_or_else(|| self.own_diffusivity(), |share| share.diffusivity)
+    }
+
+    /// Removes particles outside the mesh, or gives the error of the first fault, by body and then by particle, the same on all
+    /// ranks; `faults` has the first of each body here.
+    pub(in crate::simulation) fn judge_together(
+        &mut self,
+        faults: &[(usize, usize, FaultKind)],
+    ) -> Result<(), StepError> {
+        if self.ranks().is_none() {
+            return self.judge(faults);
+        }
+        for body in 0..self.state.sets.len() {
+            let here = faults.iter().find(|(index, ..)| *index == body);
+            let fatal = here.and_then(|&(set, p, kind)| self.fatal(set, p, kind));
+            let word = match (here, &fatal) {
+                (None, _) => 0,
+                (Some(_), None) => 1,
+                (Some(_), Some(_)) => 2,
+            };
+            let mut words = vec![word];
+            words.extend(fatal.iter().flat_map(words_of));
+            let all = self.ranks().map(|ranks| ranks.all_gather(&words));
+            let all = all.unwrap_or_default();
+            let Some(first) = all.iter().find(|words| words[0] != 0) else {
+                continue;
+            };
+            if first[0] == 2 {
+                let kind = self.error_of(body, &first[1..]);
+                return Err(self.error(kind));
+            }
+            self.remove_outside(body)?;
+        }
+        Ok(())
+    }
+
+    /// Particles that are removed on all ranks, in order, or the first error that keeps a rank from removing its own.
+    pub(in crate::simulation) fn join_removed(
+        &self,
+        body: usize,
+        own: Result<Vec<Removed>, StepErrorKind>,
+    ) -> Result<Vec<Removed>, StepErrorKind> {
+        let Some(ranks) = self.ranks() else {
+            return own;
+        };
+        let mut words = vec![];
+        match &own {
+            Err(error) => {
+                words.push(1);
+                words.extend(words_of(error));
+            }
+            Ok(removed) => {
+                words.push(0);
+                for one in removed {
+                    words.extend(words_of_particle(&one.at));
+                    words.extend([one.energy, one.load].map(f64::to_bits));
+                }
+            }
+        }
+        let mut all = vec![];
+        for of_rank in ranks.all_gather(&words) {
+            let (failed, rest) = (of_rank[0] != 0, &of_rank[1..]);
+            if failed {
+                return Err(self.error_of(body, rest));
+            }
+            for words in rest.chunks(OF_PARTICLE + 2) {
+                let mut words = Words::of(words);
+                all.push(Removed {
+                    at: particle(&mut words),
+                    energy: words.number(),
+                    load: words.number(),
+                });
+            }
+        }
+        Ok(all)
+    }
+
+    /// The particle of any rank that a measure puts first, with its body and factor: that of the largest factor, then of the
+    /// first body, then of the smallest identifier.
+    pub(in crate::simulation) fn join_farthest(
+        &self,
+        here: (f64, Option<(usize, ParticleAt)>),
+    ) -> (f64, Option<(usize, ParticleAt)>) {
+        let Some(ranks) = self.ranks() else {
+            return here;
+        };
+        let mut words = vec![here.0.to_bits()];
+        if let Some((body, at)) = &here.1 {
+            words.push(*body as u64);
+            words.extend(words_of_particle(at));
+        }
+        let mut first = (1.0, None);
+        for of_rank in ranks.all_gather(&words) {
+            let mut words = Words::of(&of_rank);
+            let factor = words.number();
+            if of_rank.len() == 1 {
+                continue;
+            }
+            let (body, at) = (words.count(), particle(&mut words));
+            let place = |(body, at): &(usize, ParticleAt)| (*body, at.id);
+            let earlier = first.1.is_none_or(|one| (body, at.id) < place(&one));
+            if factor > first.0 || factor == first.0 && first.1.is_some() && earlier {
+                first = (factor, Some((body, at)));
+            }
+        }
+        first
+    }
+
+    /// An error of this rank alone, which the others give as one of another rank.
+    pub(in crate::simulation) fn fail_together(
+        &self,
+        here: Result<(), StepError>,
+    ) -> Result<(), StepError> {
+        let Some(ranks) = self.ranks() else {
+            return here;
+        };
+        let all = ranks.all_gather(&[u64::from(here.is_err())]);
+        here?;
+        match all.iter().position(|words| words[0] != 0) {
+            None => Ok(()),
+            Some(rank) => Err(self.error(StepErrorKind::OtherRank { rank })),
+        }
+    }
+
+    /// Compares ghosts with their owners, once in some steps: they differ where memory or programs do.
+    ///
+    /// # Errors
+    /// [`StepErrorKind::RanksDisagree`] on all ranks.
+    pub(in crate::simulation) fn compare_ghosts(&self, step: u64) -> Result<(), StepError> {
+        let Some(share) = &self.work.share else {
+            return Ok(());
+        };
+        if !step.is_multiple_of(STEPS_PER_COMPARISON) {
+            return Ok(());
+        }
+        let (own, stencil) = (share.planes(), self.state.stencil);
+        let hash = |layers: Range<usize>| vec![self.hash_of_layers(layers)];
+        let lowest = own.start..own.start + 1;
+        let highest = own.end - stencil..own.end;
+        let [below, above] = share.ranks.exchange([hash(lowest), hash(highest)]);
+        let ghosts_below = own.start.saturating_sub(stencil)..own.start;
+        let ghosts_above = own.end..own.end + 1;
+        let differ =
+            |sent: &[u64], ghosts: Range<usize>| !sent.is_empty() && *sent != *hash(ghosts);
+        let here = differ(&below, ghosts_below) || differ(&above, ghosts_above);
+        let all = share.ranks.all_gather(&[u64::from(here)]);
+        match all.iter().position(|words| words[0] != 0) {
+            None => Ok(()),
+            Some(rank) => Err(self.error(StepErrorKind::RanksDisagree { rank })),
+        }
+    }
+
+    fn hash_of_layers(&self, layers: Range<usize>) -> u64 {
+        let mut hasher = std::hash::DefaultHasher::new();
+        for set in &self.state.sets {
+            let particles = set.in_layers(layers.clone());
+            set.id[particles.clone()]
+                .iter()
+                .for_each(|id| hasher.write_u64(*id));
+            for column in &set.columns {
+                let values = column[particles.clone()].iter();
+                values.for_each(|value| hasher.write_u64(value.to_bits()));
+            }
+        }
+        hasher.finish()
+    }
+
+    /// The error that was sent as words, of a particle of a body.
+    fn error_of(&self, body: usize, words: &[u64]) -> StepErrorKind {
+        let mut words = Words::of(words);
+        let kind = words.word();
+        let particle = particle(&mut words);
+        match kind {
+            NOT_FINITE => StepErrorKind::NotFinite(particle),
+            INVERTED => StepErrorKind::Inverted(particle),
+            OUTSIDE => StepErrorKind::Outside(particle),
+            _ => StepErrorKind::Law {
+                particle,
+                law: self.model.bodies[body].law.name(),
+                column: words
+                    .rest()
+                    .iter()
+                    .filter_map(|c| char::from_u32(*c as u32))
+                    .collect(),
+            },
+        }
+    }
+}
+
+/// Words of a particle and where it is.
+const OF_PARTICLE: usize = 7;
+/// Words for the kinds of errors of a particle.
+const NOT_FINITE: u64 = 0;
+const INVERTED: u64 = 1;
+const OUTSIDE: u64 = 2;
+const LAW: u64 = 3;
+
+fn words_of_particle(at: &ParticleAt) -> [u64; OF_PARTICLE] {
+    let [x, y, z] = at.position.map(f64::to_bits);
+    let (volume, mass) = (at.volume.to_bits(), at.mass.to_bits());
+    [at.id, at.body as u64, x, y, z, volume, mass]
+}
+
+fn particle(words: &mut Words<'_>) -> ParticleAt {
+    ParticleAt {
+        id: words.word(),
+        body: words.word() as i64,
+        position: [(); 3].map(|()| words.number()),
+        volume: words.number(),
+        mass: words.number(),
+    }
+}
+
+/// An error of a particle as words; other errors have none.
+fn words_of(kind: &StepErrorKind) -> Vec<u64> {
+    let (word, at, column) = match kind {
+        StepErrorKind::NotFinite(at) => (NOT_FINITE, at, ""),
+        StepErrorKind::Inverted(at) => (INVERTED, at, ""),
+        StepErrorKind::Outside(at) => (OUTSIDE, at, ""),
+        StepErrorKind::Law {
+            particle, column, ..
+        } => (LAW, particle, column.as_str()),
+        _ => return vec![],
+    };
+    let mut words = vec![word];
+    words.extend(words_of_particle(at));
+    words.extend(column.chars().map(u64::from));
+    words
+}

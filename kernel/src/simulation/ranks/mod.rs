@@ -1,0 +1,169 @@
+//! A simulation that ranks share: who owns which planes and particles, and what a step joins.
+//!
+//! A rank owns the node planes `a..b` along the first axis and the particles of the layers `a..b`; the layer of a particle is the
+//! plane of its base node at the last sort. With a stencil of S nodes the particles of the layers `a - S..b + 1` reach these
+//! planes before the next sort, and so a rank holds all of them, those that it does not own as ghosts. P2G then sums at each
+//! node the same particles in the same order as one process does. The particles that a rank holds read nodes of S + 1 planes on
+//! either side, which come from the two neighbours in one message after the equation of motion. Sums over planes are
+//! folded in order of the planes, sums over particles are exact, and all else that ranks join is a maximum or a count.
+
+mod cut;
+mod exchange;
+mod join;
+mod migrate;
+mod whole;
+
+pub(super) use join::Removed;
+pub use whole::OwnPart;
+
+use super::Cycle;
+use crate::model::StressScheme;
+use crate::ranks::Ranks;
+use cut::{Cut, LEAST_PLANES};
+use std::fmt;
+use std::ops::Range;
+use std::sync::Arc;
+
+/// Why ranks cannot share a simulation.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum NotShared {
+    /// A part of the scene needs more than its surroundings.
+    Part {
+        /// The part.
+        part: &'static str,
+    },
+    /// There are too few planes for so many ranks.
+    TooMany {
+        /// Ranks.
+        ranks: usize,
+        /// Most ranks.
+        most: usize,
+    },
+}
+
+impl fmt::Display for NotShared {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Part { part } => write!(
+                f,
+                "ranks do not share a scene with {part} yet; accepted: one process with threads (`--threads`)"
+            ),
+            Self::TooMany { ranks, most } => write!(
+                f,
+                "{ranks} ranks are too many for the planes of this mesh along its first axis; accepted: at most {most}"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for NotShared {}
+
+/// The part that a rank has in a shared simulation.
+pub(crate) struct Share {
+    /// The ranks.
+    ranks: Arc<dyn Ranks>,
+    /// Planes of all ranks.
+    cut: Cut,
+    /// Particles of all ranks.
+    particles: usize,
+    /// Largest longitudinal viscosity over density of a particle of any rank \[m²/s\].
+    diffusivity: f64,
+}
+
+impl Share {
+    /// Number of particles of all ranks.
+    pub(super) fn particles(&self) -> usize {
+        self.particles
+    }
+
+    /// Number of this rank.
+    fn rank(&self) -> usize {
+        self.ranks.rank()
+    }
+
+    /// Planes of this rank.
+    fn planes(&self) -> Range<usize> {
+        self.cut.planes(self.rank())
+    }
+}
+
+impl Cycle {
+    /// Shares the simulation among ranks: this process keeps its part. All ranks have set up the same simulation, or restored
+    /// the same state, and call this in the same step. State, events and sums then are those of one process, bit by bit.
+    ///
+    /// # Errors
+    /// A scene with a part that is not local, or more ranks than its planes allow. The simulation is then as it was.
+    pub fn share_among(&mut self, ranks: Arc<dyn Ranks>) -> Result<(), NotShared> {
+        if let Some(part) = self.not_local() {
+            return Err(NotShared::Part { part });
+        }
+        let planes = self.work.grid.shape.nodes[0];
+        let most = (planes / LEAST_PLANES).max(1);
+        if ranks.count() > most {
+            return Err(NotShared::TooMany {
+                ranks: ranks.count(),
+                most,
+            });
+        }
+        let counts: Vec<u64> = (0..planes)
+            .map(|layer| {
+                let sets = self.state.sets.iter();
+                sets.map(|set| set.in_layers(layer..layer + 1).len() as u64)
+                    .sum()
+            })
+            .collect();
+        let share = Share {
+            cut: Cut::new(&counts, ranks.count()),
+            particles: self.particles(),
+            diffusivity: self.own_diffusivity(),
+            ranks,
+        };
+        let held = share.cut.held(share.rank(), self.state.stencil);
+        for set in &mut self.state.sets {
+            set.keep_layers(held.clone());
+        }
+        self.work.grid.own(share.planes(), &self.state.sets);
+        self.work.share = Some(share);
+        Ok(())
+    }
+
+    /// The rank of this process and the number of ranks, where they share the simulation.
+    #[must_use]
+    pub fn rank(&self) -> Option<(usize, usize)> {
+        let share = self.work.share.as_ref()?;
+        Some((share.rank(), share.ranks.count()))
+    }
+
+    /// The first part of the scene that more than its surroundings act on.
+    fn not_local(&self) -> Option<&'static str> {
+        let (model, settings) = (&self.model, &self.model.settings);
+        let parts = [
+            (
+                !self.work.interactions.is_empty(),
+                "contact, driven shapes or another interaction",
+            ),
+            (
+                !model.own_conditions.is_empty(),
+                "conditions of a program's own",
+            ),
+            (
+                settings.drives_bodies,
+                "a body whose velocity is prescribed",
+            ),
+            (settings.absorbs(), "absorbing planes"),
+            (self.work.grid.has_water, "pore water"),
+            (
+                !(settings.point_loads.is_empty() && settings.tractions.is_empty()),
+                "point loads or tractions",
+            ),
+            (
+                model.plan.scheme != StressScheme::Usl,
+                "another stress scheme than USL",
+            ),
+        ];
+        parts
+            .iter()
+            .find(|(there, _)| *there)
+            .map(|(_, part)| *part)
+    }
+}

@@ -1,0 +1,103 @@
+//! The whole of a shared simulation on the first rank, for files and measures.
+
+use super::{Share, exchange, migrate};
+use crate::grid::ActiveRows;
+use crate::particles::ParticleSet;
+use crate::ranks::Words;
+use crate::simulation::Cycle;
+use std::ops::Range;
+
+/// The part of the first rank, while it has the whole simulation.
+pub struct OwnPart {
+    share: Share,
+    sets: Vec<ParticleSet>,
+    /// Rows in use of each field.
+    rows: Vec<ActiveRows>,
+}
+
+impl Cycle {
+    /// Gathers the whole simulation on the first rank, where it is then that of one process: until the part that is given back
+    /// is put back ([`Cycle::put_back`]), no step may be taken there. Elsewhere, and where no ranks share the simulation, it
+    /// stays as it is and `None` comes back. All ranks call this at the same time.
+    #[must_use]
+    pub fn gather(&mut self) -> Option<OwnPart> {
+        let share = self.work.share.as_ref()?;
+        let planes = share.planes();
+        let mut words = vec![];
+        for set in &self.state.sets {
+            let range = set.in_layers(planes.clone());
+            let layers = planes.start..planes.end.min(set.layers.len() - 1);
+            words.push(layers.len() as u64);
+            let starts = layers.map(|layer| (set.layers[layer] - range.start) as u64);
+            words.extend(starts);
+            migrate::pack(set, range, &mut words);
+        }
+        for field in &self.work.grid.fields {
+            field.rows.pack(planes.clone(), &mut words);
+        }
+        words.extend(exchange::pack(&self.work.grid, planes));
+        let first = share.rank() == 0;
+        let mut parts = vec![vec![]; share.ranks.count()];
+        parts[0] = words;
+        let received = share.ranks.all_to_all(parts);
+        if !first {
+            return None;
+        }
+        let share = self.work.share.take()?;
+        Some(self.take_up(share, &received))
+    }
+
+    /// Takes up the parts of all ranks; the own part as it was.
+    fn take_up(&mut self, share: Share, received: &[Vec<u64>]) -> OwnPart {
+        let empty = |set: &ParticleSet| ParticleSet {
+            layout: set.layout,
+            id: vec![],
+            columns: vec![vec![]; set.columns.len()],
+            layers: vec![],
+        };
+        let whole = self.state.sets.iter().map(empty).collect();
+        let sets = std::mem::replace(&mut self.state.sets, whole);
+        let grid = &mut self.work.grid;
+        let fields = grid.fields.iter_mut();
+        let rows = fields.map(|field| {
+            let whole = field.rows.empty(&grid.shape);
+            std::mem::replace(&mut field.rows, whole)
+        });
+        let rows = rows.collect();
+        for (rank, words) in received.iter().enumerate() {
+            let mut words = Words::of(words);
+            for set in &mut self.state.sets {
+                let before = set.len();
+                let count = words.count();
+                let starts = words.take(count).iter();
+                set.layers
+                    .extend(starts.map(|start| before + *start as usize));
+                migrate::unpack(set, &mut words);
+            }
+            for field in &mut grid.fields {
+                field.rows.unpack(share.cut.planes(rank), &mut words);
+            }
+            exchange::unpack(grid, words.rest());
+        }
+        for set in &mut self.state.sets {
+            let count = set.len();
+            set.layers.push(count);
+        }
+        let planes = 0..grid.shape.nodes[0];
+        grid.own(planes, &self.state.sets);
+        OwnPart { share, sets, rows }
+    }
+
+    /// Gives the first rank its part again, after [`Cycle::gather`].
+    pub fn put_back(&mut self, part: OwnPart) {
+        let OwnPart { share, sets, rows } = part;
+        self.state.sets = sets;
+        let planes: Range<usize> = share.planes();
+        let grid = &mut self.work.grid;
+        for (field, rows) in grid.fields.iter_mut().zip(rows) {
+            field.rows = rows;
+        }
+        grid.own(planes, &self.state.sets);
+        self.work.share = Some(share);
+    }
+}
