@@ -293,6 +293,25 @@ impl ActiveRows {
         }
     }
 
+    /// Widens the span of a row to hold `count` nodes from one of this index on.
+    pub(crate) fn widen(&mut self, shape: &GridShape, node: usize, count: usize) {
+        let [plane, row, first] = shape.indices(node);
+        let (first, last) = (first as u32, (first + count) as u32);
+        let span = &mut self.spans[plane * self.rows_per_plane + row];
+        *span = if span.0 < span.1 {
+            (span.0.min(first), span.1.max(last))
+        } else {
+            (first, last)
+        };
+        let (first, last) = &mut self.in_planes[plane];
+        let row = row as u32;
+        (*first, *last) = if *first < *last {
+            ((*first).min(row), (*last).max(row + 1))
+        } else {
+            (row, row + 1)
+        };
+    }
+
     /// Adds the spans of some planes to words: of each plane the rows in use, then two words for each of them.
     pub(crate) fn pack(&self, planes: Range<usize>, words: &mut Vec<u64>) {
         for plane in planes {

@@ -2,6 +2,7 @@
 
 mod forecast;
 mod ground;
+mod ranks;
 
 use super::settings::bounded;
 use super::stages;
@@ -29,6 +30,9 @@ use std::path::PathBuf;
 pub struct Plan {
     /// Scene file (JSON); - for standard input
     scene: PathBuf,
+    /// Show the shares that so many ranks of MPI would have
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    ranks: Option<u32>,
 }
 
 /// Memory that it takes some time to fill \[bytes\]: then what is to come is said first.
@@ -43,7 +47,7 @@ impl Plan {
             if let Some(threads) = stage.scene.threads {
                 bounded(&format!("{}: n_threads", self.scene.display()), threads)?;
             }
-            show(&stage.scene, &stage.places, out)?;
+            show(&stage.scene, &stage.places, self.ranks, out)?;
         }
         Ok(Outcome::Fine)
     }
@@ -58,7 +62,12 @@ pub(super) fn seeks_balance(scene: &Scene) -> bool {
 }
 
 /// Shows the plan of a scene, or of one stage.
-fn show(scene: &Scene, places: &SourceMap, out: &mut dyn Write) -> Result<(), Failure> {
+fn show(
+    scene: &Scene,
+    places: &SourceMap,
+    ranks: Option<u32>,
+    out: &mut dyn Write,
+) -> Result<(), Failure> {
     let options = Options::default();
     let asked = estimate_memory(scene);
     if asked.bytes > LARGE {
@@ -120,6 +129,11 @@ fn show(scene: &Scene, places: &SourceMap, out: &mut dyn Write) -> Result<(), Fa
         bytes(active * plan.bytes_per_node() as u64),
     ]);
     write!(out, "\n{table}")?;
+    if let Some(ranks) = ranks {
+        let shares = ranks::shares(&simulation, ranks as usize)
+            .map_err(|error| Failure::BadInput(format!("{}: {error}", places.name())))?;
+        write!(out, "\n{shares}")?;
+    }
     if let Some(line) = ground::imbalance(scene, &mut simulation) {
         writeln!(out, "\n{line}")?;
     }

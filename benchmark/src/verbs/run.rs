@@ -236,7 +236,7 @@ fn told(places: &SourceMap, error: &RunError) -> String {
         RunError::Refused(problem) => places.of_problem(problem),
         RunError::Checkpoint(_)
         | RunError::Output(_)
-        | RunError::NotShared(_)
+        | RunError::SharingRefusal(_)
         | RunError::OtherRank { .. } => format!("{}: {error}", places.name()),
     }
 }

@@ -13,12 +13,12 @@
 use super::interactions::{Interaction, Interactions};
 use super::phase::PhaseTimer;
 use super::{Cycle, history_value};
-use crate::exact_sum::{ExactSum, exact_sum};
+use crate::exact_sum::ExactSum;
 use crate::grid::Line;
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
 use crate::simulation::context::NodalConditions;
-use crate::simulation::measure::kinetic_energy;
+use crate::simulation::measure::kinetic_energy_of;
 use crate::simulation::values::{Drift, Energy, Groups, StepError};
 use crate::stage::solve::{PlaneSums, Wall, is_ghost};
 use std::ops::Range;
@@ -130,13 +130,18 @@ impl Cycle {
     /// Kinetic energy by which bodies whose motion is prescribed are ahead of their particles' velocities \[J\].
     fn driven_ahead(&self) -> f64 {
         let now = self.state.clock.time;
-        let bodies = self.state.sets.iter().zip(&self.model.bodies);
+        let bodies = self.model.bodies.iter().enumerate();
         bodies
-            .filter_map(|(set, body)| {
+            .filter_map(|(index, body)| {
                 let v = history_value(body.motion.as_ref()?, now);
-                let square: f64 = v[..set.layout.axes].iter().map(|c| c * c).sum();
-                let mass = exact_sum(set.columns[Layout::MASS].iter().copied());
-                Some(0.5 * mass * square - kinetic_energy(set))
+                let axes = self.model.plan.axes;
+                let square: f64 = v[..axes].iter().map(|c| c * c).sum();
+                let of_body = |other: usize| other == index;
+                let [mass, kinetic] = self.sums_by_body(of_body, |index, p| {
+                    let set = &self.state.sets[index];
+                    [set.columns[Layout::MASS][p], kinetic_energy_of(set, p)]
+                });
+                Some(0.5 * mass * square - kinetic)
             })
             .sum()
     }
@@ -198,6 +203,7 @@ impl Cycle {
         for (node, line) in grid.water_nodes() {
             add(node, line, &nodal.water_walls);
         }
+        self.join_sums(std::slice::from_mut(&mut sum));
         sum.value()
     }
 }

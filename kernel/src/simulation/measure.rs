@@ -3,7 +3,7 @@
 
 use super::Cycle;
 use super::ranks::Removed;
-use crate::exact_sum::{ExactSum, exact_sum};
+use crate::exact_sum::ExactSum;
 use crate::laws::{Particle, StoredParticle};
 use crate::layout::Layout;
 use crate::model::Vector;
@@ -254,7 +254,8 @@ impl Cycle {
     }
 }
 
-fn kinetic_energy_of(set: &ParticleSet, p: usize) -> f64 {
+/// Kinetic energy of a particle \[J\].
+pub(super) fn kinetic_energy_of(set: &ParticleSet, p: usize) -> f64 {
     let v = set.velocity(p);
     0.5 * set.columns[Layout::MASS][p] * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2])
 }
@@ -296,9 +297,4 @@ fn by_identifier(set: &ParticleSet, places: &mut Vec<u32>) {
         places[(id - first) as usize] = p as u32;
     }
     places.retain(|&p| p != u32::MAX);
-}
-
-/// Kinetic energy of the particles of one body \[J\].
-pub(super) fn kinetic_energy(set: &ParticleSet) -> f64 {
-    exact_sum((0..set.len()).map(|p| kinetic_energy_of(set, p)))
 }

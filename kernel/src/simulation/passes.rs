@@ -130,6 +130,8 @@ impl Cycle {
         self.work.nodal = nodal;
         let groups = self.join_count(groups.into_inner());
         self.state.groups.count(groups);
+        // Loads look at the masses of the nodes around theirs.
+        self.exchange_planes();
         self.work.phase_timer.end(Phase::P2gAndSolve);
     }
 
@@ -300,6 +302,7 @@ impl Cycle {
         if self.interactions().any(Interaction::settles) {
             self.work.phase_timer.end(Phase::Contact);
         }
+        self.exchange_planes();
         Ok(())
     }
 

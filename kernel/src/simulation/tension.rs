@@ -18,7 +18,9 @@ use crate::layout::Layout;
 use crate::model::{CycleSettings, StressScheme, Weighting};
 use crate::particles::ParticleSet;
 use crate::plan::loses_tension;
-use crate::simulation::values::{MOST_UNSEEN, StepError, StepErrorKind, StepInfo, Tension};
+use crate::simulation::values::{
+    MOST_UNSEEN, ParticleAt, StepError, StepErrorKind, StepInfo, Tension,
+};
 use nalgebra::Matrix3;
 
 /// Growth, as a logarithm, that may be missed between two looks at the particles.
@@ -92,6 +94,23 @@ impl LeastShares {
 }
 
 impl TensionWatch {
+    /// Growth of a particle of a body, as a logarithm.
+    pub(super) fn growth(&self, body: usize, id: u64) -> f64 {
+        let Growth { first, logarithm } = &self.bodies[body];
+        let place = id.wrapping_sub(*first) as usize;
+        logarithm.get(place).copied().unwrap_or(0.0)
+    }
+
+    /// Sets it, for a particle that comes from another rank.
+    pub(super) fn set_growth(&mut self, body: usize, id: u64, growth: f64) {
+        let Growth { first, logarithm } = &mut self.bodies[body];
+        if let Some(own) = logarithm.get_mut(id.wrapping_sub(*first) as usize)
+            && *own != growth
+        {
+            *own = growth;
+        }
+    }
+
     /// The watch of bodies at the start; `None` where the method holds, and with linear functions.
     pub(super) fn new(settings: &CycleSettings, sets: &[ParticleSet]) -> Option<Self> {
         let of = |set: &ParticleSet| Growth {
@@ -113,13 +132,13 @@ impl TensionWatch {
 
 /// The particle whose way has grown most.
 #[derive(Clone, Copy)]
-struct LargestStretch {
-    set: usize,
-    p: usize,
-    logarithm: f64,
-    stress: f64,
+pub(super) struct LargestStretch {
+    pub(super) set: usize,
+    pub(super) particle: ParticleAt,
+    pub(super) logarithm: f64,
+    pub(super) stress: f64,
     /// Stress over density \[m²/s²\].
-    specific: f64,
+    pub(super) specific: f64,
 }
 
 impl Cycle {
@@ -166,7 +185,7 @@ impl Cycle {
             return Ok(());
         }
         Err(self.error(StepErrorKind::Tension(Tension {
-            particle: self.particle_at(worst.set, worst.p),
+            particle: worst.particle,
             scheme: self.model.plan.scheme,
             stress: worst.stress,
             growth: worst.specific * rate,
@@ -188,7 +207,7 @@ impl Cycle {
 
     /// Adds the growth since the last look; the particle that has grown most, the first of them by its identifier.
     fn grow(&self, watch: &mut TensionWatch) -> Option<LargestStretch> {
-        let mut worst: Option<LargestStretch> = None;
+        let mut worst: Option<(usize, LargestStretch)> = None;
         let mut most = 0.0_f64;
         for (set, growth) in watch.bodies.iter_mut().enumerate() {
             if self.model.bodies[set].motion.is_some() {
@@ -196,6 +215,7 @@ impl Cycle {
             }
             let particles = &self.state.sets[set];
             for p in 0..particles.len() {
+                // Ghosts, too: they grow as their owners do.
                 let stress = largest_principal(particles, p);
                 let [volume, mass] =
                     [Layout::VOLUME, Layout::MASS].map(|column| particles.columns[column][p]);
@@ -209,24 +229,26 @@ impl Cycle {
                 if grown != *logarithm {
                     *logarithm = grown;
                 }
-                let more = worst.is_none_or(|w| {
+                let more = worst.is_none_or(|(at, w)| {
                     let same = *logarithm == w.logarithm && set == w.set;
-                    *logarithm > w.logarithm || same && particles.id[p] < particles.id[w.p]
+                    *logarithm > w.logarithm || same && particles.id[p] < particles.id[at]
                 });
                 if more {
-                    worst = Some(LargestStretch {
+                    let stretch = LargestStretch {
                         set,
-                        p,
+                        particle: self.particle_at(set, p),
                         logarithm: *logarithm,
                         stress,
                         specific,
-                    });
+                    };
+                    worst = Some((p, stretch));
                 }
             }
         }
+        self.join_most(std::slice::from_mut(&mut most));
         watch.tension = most;
         (watch.risen, watch.time, watch.bound) = (0.0, 0.0, 0.0);
-        worst
+        self.join_stretch(worst.map(|(_, stretch)| stretch))
     }
 
     /// Share of kinetic and strain energy in velocities of particles that a mapping to the nodes takes away.
@@ -250,7 +272,7 @@ impl Cycle {
         let shape = &self.work.grid.shape;
         let mut sum = ExactSum::ZERO;
         for (_, rows, lines) in self.fields() {
-            for plane in 0..shape.nodes[0] {
+            for plane in self.work.grid.owned.clone() {
                 for row in 0..shape.nodes[1] {
                     let start = shape.index([plane, row, 0]);
                     for k in rows.span(plane, row) {
@@ -263,6 +285,7 @@ impl Cycle {
                 }
             }
         }
+        self.join_sums(std::slice::from_mut(&mut sum));
         sum.value()
     }
 }

@@ -1,13 +1,14 @@
 //! Ranks that are threads of one process.
 
 use proctor_kernel::ranks::Ranks;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Condvar, Mutex};
 use std::time::Duration;
 
 /// Time after which a rank that waits for another gives up.
 const PATIENCE: Duration = Duration::from_secs(120);
 
-/// What is done to the words that a rank sends to another.
+/// A change of the words that a rank sends to another.
 pub type Meddle = fn(from: usize, to: usize, words: &mut Vec<u64>);
 
 /// Words from each rank to each other one, of one round of messages.
@@ -26,6 +27,8 @@ struct Post {
 pub struct Thread {
     rank: usize,
     count: usize,
+    /// Bytes sent to neighbours so far.
+    sent: Arc<AtomicUsize>,
     post: Arc<Post>,
 }
 
@@ -42,12 +45,18 @@ pub fn ranks(count: usize, meddle: Option<Meddle>) -> Vec<Thread> {
     let thread = |rank| Thread {
         rank,
         count,
+        sent: Arc::default(),
         post: Arc::clone(&post),
     };
     (0..count).map(thread).collect()
 }
 
 impl Thread {
+    /// Bytes that it has sent to neighbours, but for those of sums and maxima.
+    pub fn sent(&self) -> Arc<AtomicUsize> {
+        Arc::clone(&self.sent)
+    }
+
     fn swap(&self, parts: Vec<Vec<u64>>) -> Vec<Vec<u64>> {
         let post = &*self.post;
         let wait = |round, until: &dyn Fn(&Round) -> bool| {
@@ -100,6 +109,8 @@ impl Ranks for Thread {
     }
 
     fn exchange(&self, [below, above]: [Vec<u64>; 2]) -> [Vec<u64>; 2] {
+        let bytes = 8 * (below.len() + above.len());
+        self.sent.fetch_add(bytes, Ordering::Relaxed);
         let mut parts = vec![vec![]; self.count];
         let mut received = {
             if self.rank > 0 {

@@ -2,7 +2,7 @@
 
 use crate::output::{CheckpointError, OutputError};
 use proctor_scene::Problem;
-use proctor_scene::simulation::{NotShared, SetupError, StepError};
+use proctor_scene::simulation::{SetupError, SharingRefusal, StepError};
 use thiserror::Error;
 
 /// A run cannot start or go on.
@@ -25,7 +25,7 @@ pub enum RunError {
     Step(#[from] StepError),
     /// Ranks cannot share the scene. Bad input.
     #[error(transparent)]
-    NotShared(#[from] NotShared),
+    SharingRefusal(#[from] SharingRefusal),
     /// Another rank cannot start or go on; it has the error.
     #[error("rank {rank} cannot go on")]
     OtherRank {

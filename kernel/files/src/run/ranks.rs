@@ -24,7 +24,7 @@ pub(super) fn agree<T>(
     }
 }
 
-/// What any rank says.
+/// Statements that hold on any rank.
 pub(super) fn any<const K: usize>(ranks: Option<&dyn Ranks>, here: [bool; K]) -> [bool; K] {
     let Some(ranks) = ranks else { return here };
     let mut all = [false; K];

@@ -4,7 +4,6 @@
 //! equation of motion there: its nodes move as it does.
 
 use super::{ConditionResult, ConditionType};
-use crate::exact_sum::exact_sum;
 use crate::grid::GridShape;
 use crate::layout::Layout;
 use crate::model::CycleSettings;
@@ -12,7 +11,7 @@ use crate::particles::ParticleSet;
 use crate::simulation::context::{Condition, FieldNodes, NodalConditions};
 use crate::simulation::fields::Owner;
 use crate::simulation::mapping::node_weights;
-use crate::simulation::measure::kinetic_energy;
+use crate::simulation::measure::kinetic_energy_of;
 use crate::simulation::step_view::StepView;
 use crate::simulation::values::{BodyRun, StepError, StepInfo};
 use crate::simulation::{Cycle, history_value};
@@ -100,21 +99,19 @@ impl Cycle {
         mesh_shift: &[f64; 3],
     ) -> Result<(), StepError> {
         let half = self.state.clock.time + 0.5 * info.dt;
-        let (mesh, gravity) = (&self.model.settings.mesh, &self.model.settings.gravity);
+        let mesh = self.model.settings.mesh.clone();
         let (mut travel, mut work) = (0.0_f64, 0.0);
         let mut faults: Vec<(usize, usize, FaultKind)> = vec![];
-        for (index, (set, body)) in self
-            .state
-            .sets
-            .iter_mut()
-            .zip(&self.model.bodies)
-            .enumerate()
-        {
-            let Some(motion) = &body.motion else { continue };
+        for index in 0..self.state.sets.len() {
+            let Some(motion) = &self.model.bodies[index].motion else {
+                continue;
+            };
             let v = history_value(motion, half);
-            let before = kinetic_energy(set);
-            for axis in 0..set.layout.axes {
-                work -= dead_load(set, gravity[axis], axis) * v[axis] * info.dt;
+            let axes = self.state.sets[index].layout.axes;
+            let [before, loads @ ..] = self.kinetic_energy_and_loads(index);
+            let set = &mut self.state.sets[index];
+            for axis in 0..axes {
+                work -= loads[axis] * v[axis] * info.dt;
                 let shift = v[axis] * info.dt - mesh_shift[axis];
                 let extent = mesh.cells[axis] as f64 * mesh.cell[axis];
                 for (p, x) in set.columns[Layout::POSITION + axis].iter_mut().enumerate() {
@@ -124,23 +121,36 @@ impl Cycle {
                         faults.push((index, p, FaultKind::Outside));
                     }
                 }
-                set.columns[Layout::velocity(set.layout.axes) + axis].fill(v[axis]);
+                set.columns[Layout::velocity(axes) + axis].fill(v[axis]);
                 travel = travel.max((shift / mesh.cell[axis]).abs());
             }
-            work += kinetic_energy(set) - before;
+            let [after, ..] = self.kinetic_energy_and_loads(index);
+            work += after - before;
         }
         self.state.ledger.external_work += work;
         self.state.travel += travel;
-        self.judge(&faults)
+        self.judge_together(&faults)
     }
-}
 
-/// Dead load of all particles of a set along an axis \[N\].
-fn dead_load(set: &ParticleSet, gravity: f64, axis: usize) -> f64 {
-    let sum = |column: &[f64]| exact_sum(column.iter().copied());
-    let weight = gravity * sum(&set.columns[Layout::MASS]);
-    let force = set.layout.force;
-    weight + force.map_or(0.0, |first| sum(&set.columns[first + axis]))
+    /// Kinetic energy of a body \[J\], and its dead load along each axis \[N\].
+    fn kinetic_energy_and_loads(&self, index: usize) -> [f64; 4] {
+        let gravity = self.model.settings.gravity;
+        let of_body = |other: usize| other == index;
+        let [kinetic, mass, forces @ ..] = self.sums_by_body(of_body, |index, p| {
+            let set = &self.state.sets[index];
+            let force = set.layout.force;
+            let [x, y, z] = force.map_or([0.0; 3], |first| set.vector(first, p));
+            [
+                kinetic_energy_of(set, p),
+                set.columns[Layout::MASS][p],
+                x,
+                y,
+                z,
+            ]
+        });
+        let [x, y, z] = std::array::from_fn(|axis| gravity[axis] * mass + forces[axis]);
+        [kinetic, x, y, z]
+    }
 }
 
 /// Nodes that any particle of a driven body reaches by more than round-off, each once, increasing, in place of those before.

@@ -1,5 +1,6 @@
 //! Planes of nodes beside those of a rank, which its neighbours send after the equation of motion.
 
+use crate::grid::Line;
 use crate::ranks::Words;
 use crate::simulation::Cycle;
 use crate::simulation::fields::Grid;
@@ -26,6 +27,11 @@ impl Cycle {
     }
 }
 
+/// Words before the values of a row: its field, its first node, the number of nodes.
+const HEAD: usize = 3;
+/// Values of a node.
+const LINE: usize = size_of::<Line>() / size_of::<f64>();
+
 /// The nodes in use of some planes, field by field and row by row: a row, its span, its values.
 pub(super) fn pack(grid: &Grid, planes: Range<usize>) -> Vec<u64> {
     let mut words = vec![];
@@ -47,14 +53,29 @@ pub(super) fn pack(grid: &Grid, planes: Range<usize>) -> Vec<u64> {
     words
 }
 
+/// Number of words of some packed planes.
+pub(super) fn words(grid: &Grid, planes: Range<usize>) -> usize {
+    let fields = grid.fields.iter();
+    let spans = fields.flat_map(|field| {
+        let rows = planes.clone().flat_map(move |plane| {
+            let rows = field.rows.in_plane(plane);
+            rows.map(move |row| field.rows.span(plane, row).len())
+        });
+        rows.filter(|span| *span > 0)
+    });
+    spans.map(|span| HEAD + span * LINE).sum()
+}
+
 /// Takes packed nodes up.
 pub(super) fn unpack(grid: &mut Grid, words: &[u64]) {
     let mut words = Words::of(words);
     loop {
-        let [number, first, count] = [(); 3].map(|()| words.count());
+        let [number, first, count] = [(); HEAD].map(|()| words.count());
         if count == 0 {
             return;
         }
+        // Loads ask which of these nodes are in use.
+        grid.fields[number].rows.widen(&grid.shape, first, count);
         let lines = &mut grid.fields[number].nodes.lines_mut()[first..first + count];
         let values = lines.as_flattened_mut();
         let sent = words.take(values.len());

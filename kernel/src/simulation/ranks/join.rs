@@ -5,6 +5,7 @@ use crate::particles::ParticleSet;
 use crate::ranks::{Ranks, Words};
 use crate::simulation::Cycle;
 use crate::simulation::motion::total;
+use crate::simulation::tension::LargestStretch;
 use crate::simulation::values::{ParticleAt, StepError, StepErrorKind};
 use crate::stage::g2p::{FaultKind, ParticleMaxima};
 use crate::stage::solve::{EmptyNode, PlaneSums};
@@ -272,6 +273,45 @@ impl Cycle {
             }
         }
         first
+    }
+
+    /// The particle of any rank whose way has grown most; of two alike the first as one process meets them.
+    pub(in crate::simulation) fn join_stretch(
+        &self,
+        here: Option<LargestStretch>,
+    ) -> Option<LargestStretch> {
+        let Some(ranks) = self.ranks() else {
+            return here;
+        };
+        let mut words = vec![];
+        if let Some(one) = &here {
+            words.push(one.set as u64);
+            words.extend(words_of_particle(&one.particle));
+            words.extend([one.logarithm, one.stress, one.specific].map(f64::to_bits));
+        }
+        let mut worst: Option<LargestStretch> = None;
+        for of_rank in ranks.all_gather(&words) {
+            let mut words = Words::of(&of_rank);
+            if of_rank.is_empty() {
+                continue;
+            }
+            let one = LargestStretch {
+                set: words.count(),
+                particle: particle(&mut words),
+                logarithm: words.number(),
+                stress: words.number(),
+                specific: words.number(),
+            };
+            let place = |one: &LargestStretch| (one.set, one.particle.id);
+            let more = worst.is_none_or(|w| {
+                one.logarithm > w.logarithm
+                    || one.logarithm == w.logarithm && place(&one) < place(&w)
+            });
+            if more {
+                worst = Some(one);
+            }
+        }
+        worst
     }
 
     /// An error of this rank alone, which the others give as one of another rank.

@@ -41,20 +41,31 @@ impl Cycle {
         let parts = (0..share.ranks.count()).map(|rank| {
             let held = share.cut.held(rank, stencil);
             let mut words = vec![];
-            for ((set, range), layers) in self.state.sets.iter().zip(&ranges).zip(&layers) {
-                let particles = range.clone().zip(layers);
+            for (body, set) in self.state.sets.iter().enumerate() {
+                let particles = ranges[body].clone().zip(&layers[body]);
                 let reaching = particles.filter(|(_, layer)| held.contains(layer));
-                pack(set, reaching.map(|(p, _)| p), &mut words);
+                let reaching: Vec<usize> = reaching.map(|(p, _)| p).collect();
+                pack(set, &reaching, &mut words);
+                if let Some(watch) = &self.work.tension {
+                    let growth = reaching.iter().map(|&p| watch.growth(body, set.id[p]));
+                    words.extend(growth.map(f64::to_bits));
+                }
             }
             words
         });
         let received = share.ranks.all_to_all(parts.collect());
         let mut received: Vec<Words<'_>> = received.iter().map(|words| Words::of(words)).collect();
-        for set in &mut self.state.sets {
+        for (body, set) in self.state.sets.iter_mut().enumerate() {
             set.id.clear();
             set.columns.iter_mut().for_each(Vec::clear);
             for words in &mut received {
+                let before = set.len();
                 unpack(set, words);
+                if let Some(watch) = &mut self.work.tension {
+                    for id in &set.id[before..] {
+                        watch.set_growth(body, *id, words.number());
+                    }
+                }
             }
         }
         self.work.grid.owned = share.planes();
@@ -62,12 +73,7 @@ impl Cycle {
 }
 
 /// Some particles of a set: their number, their identifiers, then column by column.
-pub(super) fn pack(
-    set: &ParticleSet,
-    particles: impl Iterator<Item = usize>,
-    words: &mut Vec<u64>,
-) {
-    let particles: Vec<usize> = particles.collect();
+pub(super) fn pack(set: &ParticleSet, particles: &[usize], words: &mut Vec<u64>) {
     words.reserve(1 + particles.len() * (1 + set.columns.len()));
     words.push(particles.len() as u64);
     words.extend(particles.iter().map(|&p| set.id[p]));

@@ -9,24 +9,25 @@
 
 mod cut;
 mod exchange;
+mod forecast;
 mod join;
 mod migrate;
 mod whole;
 
+pub use forecast::RankForecast;
 pub(super) use join::Removed;
 pub use whole::OwnPart;
 
 use super::Cycle;
-use crate::model::StressScheme;
 use crate::ranks::Ranks;
 use cut::{Cut, LEAST_PLANES};
 use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// Why ranks cannot share a simulation.
+/// Refusal to share a simulation among ranks.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum NotShared {
+pub enum SharingRefusal {
     /// A part of the scene needs more than its surroundings.
     Part {
         /// The part.
@@ -41,7 +42,7 @@ pub enum NotShared {
     },
 }
 
-impl fmt::Display for NotShared {
+impl fmt::Display for SharingRefusal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Part { part } => write!(
@@ -56,7 +57,7 @@ impl fmt::Display for NotShared {
     }
 }
 
-impl std::error::Error for NotShared {}
+impl std::error::Error for SharingRefusal {}
 
 /// The part that a rank has in a shared simulation.
 pub(crate) struct Share {
@@ -93,27 +94,10 @@ impl Cycle {
     ///
     /// # Errors
     /// A scene with a part that is not local, or more ranks than its planes allow. The simulation is then as it was.
-    pub fn share_among(&mut self, ranks: Arc<dyn Ranks>) -> Result<(), NotShared> {
-        if let Some(part) = self.not_local() {
-            return Err(NotShared::Part { part });
-        }
-        let planes = self.work.grid.shape.nodes[0];
-        let most = (planes / LEAST_PLANES).max(1);
-        if ranks.count() > most {
-            return Err(NotShared::TooMany {
-                ranks: ranks.count(),
-                most,
-            });
-        }
-        let counts: Vec<u64> = (0..planes)
-            .map(|layer| {
-                let sets = self.state.sets.iter();
-                sets.map(|set| set.in_layers(layer..layer + 1).len() as u64)
-                    .sum()
-            })
-            .collect();
+    pub fn share_among(&mut self, ranks: Arc<dyn Ranks>) -> Result<(), SharingRefusal> {
+        self.can_be_shared(ranks.count())?;
         let share = Share {
-            cut: Cut::new(&counts, ranks.count()),
+            cut: Cut::new(&self.particles_of_layers(), ranks.count()),
             particles: self.particles(),
             diffusivity: self.own_diffusivity(),
             ranks,
@@ -124,6 +108,28 @@ impl Cycle {
         }
         self.work.grid.own(share.planes(), &self.state.sets);
         self.work.share = Some(share);
+        Ok(())
+    }
+
+    /// Particles of each layer, as of the last sort.
+    fn particles_of_layers(&self) -> Vec<u64> {
+        let of_layer = |layer: usize| -> u64 {
+            let sets = self.state.sets.iter();
+            sets.map(|set| set.in_layers(layer..layer + 1).len() as u64)
+                .sum()
+        };
+        (0..self.work.grid.shape.nodes[0]).map(of_layer).collect()
+    }
+
+    /// Refuses to share the simulation among so many ranks, where they cannot.
+    fn can_be_shared(&self, ranks: usize) -> Result<(), SharingRefusal> {
+        if let Some(part) = self.not_local() {
+            return Err(SharingRefusal::Part { part });
+        }
+        let most = (self.work.grid.shape.nodes[0] / LEAST_PLANES).max(1);
+        if ranks > most {
+            return Err(SharingRefusal::TooMany { ranks, most });
+        }
         Ok(())
     }
 
@@ -146,20 +152,8 @@ impl Cycle {
                 !model.own_conditions.is_empty(),
                 "conditions of a program's own",
             ),
-            (
-                settings.drives_bodies,
-                "a body whose velocity is prescribed",
-            ),
             (settings.absorbs(), "absorbing planes"),
             (self.work.grid.has_water, "pore water"),
-            (
-                !(settings.point_loads.is_empty() && settings.tractions.is_empty()),
-                "point loads or tractions",
-            ),
-            (
-                model.plan.scheme != StressScheme::Usl,
-                "another stress scheme than USL",
-            ),
         ];
         parts
             .iter()

@@ -30,7 +30,8 @@ impl Cycle {
             words.push(layers.len() as u64);
             let starts = layers.map(|layer| (set.layers[layer] - range.start) as u64);
             words.extend(starts);
-            migrate::pack(set, range, &mut words);
+            let particles: Vec<usize> = range.collect();
+            migrate::pack(set, &particles, &mut words);
         }
         for field in &self.work.grid.fields {
             field.rows.pack(planes.clone(), &mut words);

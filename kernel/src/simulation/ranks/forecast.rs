@@ -1,0 +1,62 @@
+//! Forecast of the shares of ranks, before a simulation is shared.
+
+use super::cut::Cut;
+use super::{SharingRefusal, exchange};
+use crate::model::StressScheme;
+use crate::simulation::Cycle;
+use std::ops::Range;
+
+/// The share that a rank would have.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct RankForecast {
+    /// Its planes along the first axis, those of ghost nodes among them.
+    pub planes: Range<usize>,
+    /// Particles that it would own.
+    pub particles: usize,
+    /// Particles of its neighbours that it would compute once more.
+    pub ghosts: usize,
+    /// Bytes that it would send in a step between two sorts, to all neighbours, but for those of sums and maxima.
+    pub sent: usize,
+}
+
+impl Cycle {
+    /// The shares that so many ranks would have now.
+    ///
+    /// # Errors
+    /// See [`Cycle::share_among`].
+    pub fn forecast_ranks(&self, ranks: usize) -> Result<Vec<RankForecast>, SharingRefusal> {
+        self.can_be_shared(ranks)?;
+        let cut = Cut::new(&self.particles_of_layers(), ranks);
+        let (stencil, reach) = (self.state.stencil, self.state.stencil + 1);
+        let particles = |layers: Range<usize>| -> usize {
+            let sets = self.state.sets.iter();
+            sets.map(|set| set.in_layers(layers.clone()).len()).sum()
+        };
+        let sent =
+            |planes: Range<usize>| exchange::words(&self.work.grid, planes) * size_of::<u64>();
+        let of_rank = |rank: usize| {
+            let planes = cut.planes(rank);
+            let own = particles(planes.clone());
+            let mut bytes = 0;
+            if rank > 0 {
+                bytes += sent(planes.start..planes.start + reach);
+            }
+            if rank + 1 < ranks {
+                bytes += sent(planes.end - reach..planes.end);
+            }
+            RankForecast {
+                particles: own,
+                ghosts: particles(cut.held(rank, stencil)) - own,
+                sent: bytes * self.exchanges_per_step(),
+                planes,
+            }
+        };
+        Ok((0..ranks).map(of_rank).collect())
+    }
+
+    /// Exchanges of planes in a step.
+    fn exchanges_per_step(&self) -> usize {
+        let maps_again = self.model.plan.scheme != StressScheme::Usl;
+        1 + usize::from(maps_again) + usize::from(self.has_separate_p2g())
+    }
+}
