@@ -49,8 +49,8 @@ pub use proctor_contact::{
 pub use proctor_kernel::model::{
     BaseMotion, BoxLoad, Damping, Dimension, DomainUpdate, GroundBeyond, HeldBox, History, Mesh,
     Motion, OnImbalance, Outside, ParticleSeed, Permeability, PlaneCondition, PlanePressure,
-    PointLoad, PoreWater, Shape, StressScheme, TimeStep, Traction, Transfer, TransferKind, Vector,
-    VolumetricStrain, Weighting,
+    PointLoad, PoreWater, Shape, Shore, StandingWater, StressScheme, TimeStep, Traction, Transfer,
+    TransferKind, Vector, VolumetricStrain, Weighting,
 };
 
 /// Simulations of scenes, with what the kernel and contact have for them.

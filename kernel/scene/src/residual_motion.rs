@@ -102,4 +102,8 @@ fn rest_is_due(simulation: &Simulation, quality: &ResultQuality) -> bool {
             .tractions
             .iter()
             .any(|load| load.traction.changes_from(now))
+        && !settings
+            .standing_waters
+            .iter()
+            .any(|water| water.level.changes_from(now))
 }

@@ -16,4 +16,4 @@ pub use proctor_geometry::mesh::{Mesh, PlaneCondition};
 pub use proctor_geometry::shape::{Dimension, ParticleSeed, Shape, Vector};
 pub use settings::{CycleSettings, OnImbalance, Outside, plane_acts};
 pub(crate) use water::POROSITIES;
-pub use water::{Permeability, PlanePressure, PoreWater};
+pub use water::{Permeability, PlanePressure, PoreWater, Shore, StandingWater};

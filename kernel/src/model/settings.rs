@@ -2,7 +2,8 @@
 
 use super::{
     BaseMotion, BoxLoad, Damping, Dimension, GroundBeyond, HeldBox, Mesh, PlaneCondition,
-    PlanePressure, PointLoad, StressScheme, TimeStep, Traction, Transfer, Vector, Weighting,
+    PlanePressure, PointLoad, StandingWater, StressScheme, TimeStep, Traction, Transfer, Vector,
+    VolumetricStrain, Weighting,
 };
 
 /// Treatment of a particle that leaves the mesh.
@@ -64,6 +65,10 @@ pub struct CycleSettings {
     pub water_pressures: [[Option<PlanePressure>; 2]; 3],
     /// Density of the pore water of all bodies \[kg/m³\]; 0 without.
     pub water_density: f64,
+    /// Waters that stand beside bodies.
+    pub standing_waters: Vec<StandingWater>,
+    /// Averaging of the volumetric part of strain and stress.
+    pub volumetric_strain: VolumetricStrain,
     /// True where a body has a stress at the start.
     pub starts_stressed: bool,
     /// Treatment of a particle that leaves the mesh.

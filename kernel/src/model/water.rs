@@ -44,6 +44,41 @@ pub enum PlanePressure {
     Level(History),
 }
 
+/// Water at rest that stands beside bodies and presses on their surfaces.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StandingWater {
+    /// Its level in the first component \[m\], a coordinate along the axis of gravity.
+    pub level: History,
+    /// Density \[kg/m³\].
+    pub density: f64,
+    /// Identifiers of the bodies that it presses on; empty for all.
+    pub bodies: Vec<i64>,
+    /// The side of the bodies on which it stands; `None` all around.
+    pub shore: Option<Shore>,
+}
+
+/// The side on which water stands, and where its pressure ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shore {
+    /// Axis along which the water is on one side.
+    pub axis: usize,
+    /// 0 for the water at lower coordinates, 1 for that at higher ones.
+    pub side: usize,
+    /// Coordinates between which the pressure fades \[m\]: a part of the bodies that has no surface below the level.
+    pub between: [f64; 2],
+}
+
+impl Shore {
+    /// Share of the pressure at a coordinate along the axis.
+    #[must_use]
+    pub fn share(&self, x: f64) -> f64 {
+        let [from, to] = self.between;
+        let s = ((x - from) / (to - from)).clamp(0.0, 1.0);
+        let rising = s * s * (3.0 - 2.0 * s);
+        if self.side == 0 { 1.0 - rising } else { rising }
+    }
+}
+
 /// Least and largest porosity of a particle.
 pub(crate) const POROSITIES: [f64; 2] = [0.01, 0.99];
 

@@ -66,7 +66,8 @@ impl Cycle {
             .any(|axis| [0, 1].iter().any(|side| settings.plane_acts(axis, *side)));
         let loads = settings.point_loads.is_empty()
             && settings.tractions.is_empty()
-            && settings.box_loads.is_empty();
+            && settings.box_loads.is_empty()
+            && settings.standing_waters.is_empty();
         settings.transfer.kind == TransferKind::Flip
             && settings.transfer.pic_fraction == 0.0
             && settings.damping == Damping::None

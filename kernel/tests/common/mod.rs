@@ -132,6 +132,7 @@ pub fn empty(dimension: Dimension, cells: [usize; 3], h: f64) -> Scene {
         pore_water: vec![],
         water_planes: [[PlaneCondition::Sliding; 2]; 3],
         water_pressures: Default::default(),
+        standing_waters: vec![],
         initial_pressures: vec![],
         bodies: vec![],
         initial_state: None,

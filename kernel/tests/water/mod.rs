@@ -5,5 +5,6 @@ mod permeability;
 mod planes;
 mod rest;
 mod series;
+mod standing;
 mod steps;
 mod support;

@@ -213,6 +213,7 @@ fn linear_part(scene: &Scene) -> Scene {
     part.point_loads.clear();
     part.tractions.clear();
     part.box_loads.clear();
+    part.standing_waters.clear();
     part.contacts.clear();
     part.mortar = Mortar::default();
     part.results = NO_RESULTS;

@@ -143,6 +143,7 @@ fn without_loads(scene: &Scene) -> Scene {
     part.mortar = proctor_scene::Mortar::default();
     part.probes.clear();
     part.box_loads.clear();
+    part.standing_waters.clear();
     part.surfaces.clear();
     part
 }

@@ -68,6 +68,7 @@ impl<'a> Build<'a> {
         scene.threads = raw.n_threads;
         scene.materials = self.materials(raw);
         self.water(raw, &mut scene);
+        self.standing_waters(raw, &mut scene);
         scene.bodies = self.bodies(raw, &scene.mesh, &scene.materials);
         if let Some(until) = &raw.until {
             let share = self.number(

@@ -5,8 +5,10 @@ use super::keys::{RawScene, RawWaterLevels, RawWaterPlanes, RawWaterPressures};
 use super::lists::NumberOrTable;
 use super::material_keys::RawMaterial;
 use super::materials::entry_path;
-use super::words::{PERMEABILITIES, WATER_CONDITIONS};
-use proctor_scene::{History, InitialPressure, PlaneCondition, PlanePressure, PoreWater, Scene};
+use super::words::{PERMEABILITIES, PLANES, WATER_CONDITIONS};
+use proctor_scene::{
+    History, InitialPressure, PlaneCondition, PlanePressure, PoreWater, Scene, Shore, StandingWater,
+};
 
 /// Names of the planes, with the axis of their normal and their side.
 const PLANES_OF_WATER: [(&str, usize, usize); 6] = [
@@ -20,6 +22,9 @@ const PLANES_OF_WATER: [(&str, usize, usize); 6] = [
 
 /// Gravity for which conductivities are given \[m/s²\].
 const GRAVITY: f64 = 9.81;
+
+/// Density of water that stands beside bodies, where none is given \[kg/m³\].
+const WATER: f64 = 1000.0;
 
 impl Build<'_> {
     /// The water of all materials, where there are two phases.
@@ -113,6 +118,48 @@ impl Build<'_> {
             levels[i] = Some(PlanePressure::Level(self.level(&path, level)));
         }
         self.pressed_planes("boundary_levels_fluid", levels, named, scene);
+    }
+
+    /// Waters that stand beside bodies.
+    pub(super) fn standing_waters(&mut self, raw: &RawScene, scene: &mut Scene) {
+        for (i, raw) in raw.standing_water.iter().flatten().enumerate() {
+            let key = |key: &str| format!("standing_water[{i}].{key}");
+            let level = match &raw.level {
+                Some(level) => self.level(&key("level"), level),
+                None => {
+                    let accepted = "the level [m], or rows of a time [s] and a level";
+                    self.missing(key("level"), accepted);
+                    [f64::NAN, 0.0, 0.0].into()
+                }
+            };
+            let side = raw.side.as_ref();
+            let side = side.and_then(|word| self.word(&key("side"), word, PLANES));
+            let shore = match (side, raw.between.as_deref()) {
+                (Some((axis, side)), Some(between)) => {
+                    self.length(&key("between"), between, 2).then(|| Shore {
+                        axis,
+                        side,
+                        between: [between[0], between[1]],
+                    })
+                }
+                (Some(_), None) => {
+                    let accepted = "two coordinates between which the pressure fades [m]";
+                    self.missing(key("between"), accepted);
+                    None
+                }
+                (None, Some(_)) if raw.side.is_none() => {
+                    self.missing(key("side"), "the side on which the water stands");
+                    None
+                }
+                (None, _) => None,
+            };
+            scene.standing_waters.push(StandingWater {
+                level,
+                density: raw.density.unwrap_or(WATER),
+                bodies: raw.body_ids.clone().unwrap_or_default(),
+                shore,
+            });
+        }
     }
 
     /// A level of water over time, in the first component.

@@ -13,7 +13,7 @@ use crate::records;
 use proctor_laws::{self as laws, AnyLaw, LawType};
 use proctor_scene::{
     BaseMotion, Body, Damping, Dimension, History, InitialStress, Mesh, Motion, OnImbalance,
-    Outside, Scene, Shape, TimeStep, Transfer, Vector, VolumetricStrain,
+    Outside, Scene, Shape, StandingWater, TimeStep, Transfer, Vector, VolumetricStrain,
 };
 use thiserror::Error;
 
@@ -129,6 +129,10 @@ pub fn write(scene: &Scene) -> Result<SceneWriter, Omission> {
         ),
         ("held_box", held.map(|b| corners(&b.p1, &b.p2)).collect()),
         ("contact", contacts(scene)),
+        (
+            "standing_water",
+            (scene.standing_waters.iter()).map(standing_water).collect(),
+        ),
     ] {
         if !list.is_empty() {
             keys[key] = list.into();
@@ -193,6 +197,27 @@ fn damping(damping: Damping) -> Value {
         Damping::Kinetic => json!({ "type": "kinetic" }),
         Damping::Viscous { alpha } => json!({ "type": "viscous", "value": alpha }),
     }
+}
+
+fn standing_water(water: &StandingWater) -> Value {
+    let level = &water.level;
+    let mut keys = json!({ "density": water.density });
+    keys["level"] = match level.constant() {
+        Some([level, ..]) => level.into(),
+        None => {
+            let rows = level.times.iter().zip(&level.values);
+            rows.map(|(time, [level, ..])| json!([time, level]))
+                .collect()
+        }
+    };
+    if !water.bodies.is_empty() {
+        keys["body_ids"] = water.bodies.clone().into();
+    }
+    if let Some(shore) = &water.shore {
+        keys["side"] = word(PLANES, &(shore.axis, shore.side)).into();
+        keys["between"] = shore.between.to_vec().into();
+    }
+    keys
 }
 
 fn contacts(scene: &Scene) -> Vec<Value> {

@@ -1,6 +1,6 @@
 //! The stress that bodies have at the start.
 
-use crate::values::{InitialStress, Scene};
+use crate::values::{InitialPressure, InitialStress, Scene};
 use proctor_geometry::number::Number;
 use proctor_kernel::laws::{AnyLaw, Particle, UNDEFORMED, UNPRESSED};
 use proctor_kernel::layout::Layout;
@@ -37,7 +37,7 @@ pub(super) fn set(
     for p in 0..set.len() {
         let local = set.position(p);
         let x: Vector = std::array::from_fn(|axis| local[axis] + scene.mesh.origin[axis]);
-        let stress = (body.initial_stress).at(&x, &scene.gravity, material.density, axes);
+        let stress = stress_at(scene, index, &x, axes);
         let beyond = beyond(&mut point, &stress);
         if beyond > worst.as_ref().map_or(0.0, |worst| worst.by) {
             worst = Some(YieldExcess {
@@ -105,6 +105,55 @@ pub(super) fn set(
             material.name
         ),
     })
+}
+
+/// The stress that a body, by its index, begins with at a point \[Pa\]. Soil at rest with water in its pores has the weight of
+/// both above it, and that of the water which stands on its surface, less the pressure of the pores: that of its water table.
+fn stress_at(scene: &Scene, index: usize, x: &Vector, axes: usize) -> [f64; 6] {
+    let body = &scene.bodies[index];
+    let grains = scene.materials[body.material].density;
+    let stress = (body.initial_stress).at(x, &scene.gravity, grains, axes);
+    let Some(water) = scene.water_of(body.material) else {
+        return stress;
+    };
+    let Some(axis) = (0..axes).find(|axis| scene.gravity[*axis] != 0.0) else {
+        return stress;
+    };
+    let (ratio, surcharge, level) = match &body.initial_stress {
+        InitialStress::None | InitialStress::Isotropic(_) => return stress,
+        InitialStress::AtRest {
+            ratio,
+            level,
+            surcharge,
+        } => (*ratio, *surcharge, Some(*level)),
+        InitialStress::Overburden(ground) => {
+            let at = if axes == 2 { [x[0], 0.5] } else { [x[0], x[1]] };
+            (ground.ratio, ground.surcharge, ground.surface.height(at))
+        }
+    };
+    // Above the surface there is no stress.
+    let Some(level) = level.filter(|level| (x[axis] - level) * scene.gravity[axis] >= 0.0) else {
+        return stress;
+    };
+    let saturated = water.dry_density() + water.porosity * water.density;
+    let weight = (-stress[axis] - surcharge) * saturated / grains;
+    let table = scene
+        .initial_pressures
+        .iter()
+        .rev()
+        .find_map(|given| match given {
+            InitialPressure::Table { level } => Some(*level),
+            _ => None,
+        });
+    let pressure = |at: f64| {
+        table.map_or(0.0, |table| {
+            (water.density * scene.gravity[axis] * (at - table)).max(0.0)
+        })
+    };
+    let along = -surcharge - weight + (pressure(x[axis]) - pressure(level));
+    let mut stress = [ratio * along, ratio * along, ratio * along, 0.0, 0.0, 0.0];
+    stress[axis] = along;
+    stress
 }
 
 /// Refuses a body, by its index, that begins without a stress although its law has no stiffness there.

@@ -26,7 +26,7 @@ pub enum InitialStress {
 
 impl InitialStress {
     /// The stress xx, yy, zz, yz, xz, xy at a point \[Pa\], for gravity \[m/s²\] along one axis of so many and a density
-    /// \[kg/m³\]; above the surface there is none.
+    /// \[kg/m³\]; above the surface there is none. Soil with water in its pores gets what its set-up makes of that.
     #[must_use]
     pub fn at(&self, x: &Vector, gravity: &Vector, density: f64, axes: usize) -> [f64; 6] {
         match self {

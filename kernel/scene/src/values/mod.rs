@@ -32,8 +32,9 @@ use proctor_contact::{Contact, ContactValues, Mortar, PlannedBody, RigidSurface}
 use proctor_kernel::laws::AnyLaw;
 use proctor_kernel::model::{
     BaseMotion, BoxLoad, CycleSettings, Damping, Dimension, GroundBeyond, HeldBox, Mesh,
-    OnImbalance, Outside, PlaneCondition, PlanePressure, PointLoad, PoreWater, StressScheme,
-    TimeStep, Traction, Transfer, TransferKind, Vector, VolumetricStrain, Weighting, plane_acts,
+    OnImbalance, Outside, PlaneCondition, PlanePressure, PointLoad, PoreWater, StandingWater,
+    StressScheme, TimeStep, Traction, Transfer, TransferKind, Vector, VolumetricStrain, Weighting,
+    plane_acts,
 };
 
 /// Everything that is simulated.
@@ -70,6 +71,8 @@ pub struct Scene {
     pub water_planes: [[PlaneCondition; 2]; 3],
     /// Pressure of the pore water at each boundary plane where one is given; the plane is `Free` for the water.
     pub water_pressures: [[Option<PlanePressure>; 2]; 3],
+    /// Waters that stand beside bodies and press on their surfaces.
+    pub standing_waters: Vec<StandingWater>,
     /// Pore pressures at the start.
     pub initial_pressures: Vec<InitialPressure>,
     /// Bodies, in the order of the file.
@@ -139,6 +142,7 @@ impl Scene {
             pore_water: Vec::new(),
             water_planes: [[PlaneCondition::Sliding; 2]; 3],
             water_pressures: Default::default(),
+            standing_waters: Vec::new(),
             initial_pressures: Vec::new(),
             bodies: Vec::new(),
             initial_state: None,
@@ -260,6 +264,8 @@ impl Scene {
                 .flatten()
                 .next()
                 .map_or(0.0, |water| water.density),
+            standing_waters: self.standing_waters.clone(),
+            volumetric_strain: self.volumetric_strain,
             drives_bodies: bodies.clone().any(|body| body.motion.is_some()),
             starts_stressed: self.initial_state.is_some()
                 || !self.initial_pressures.is_empty()

@@ -57,6 +57,7 @@ list! {
     loads: [NODAL_LOADS],
     driven: [DRIVEN_BODIES],
     absorbing: [ABSORBING_PLANES],
+    standing: [STANDING_WATER],
 }
 
 /// Adds the entries of the plan for conditions.

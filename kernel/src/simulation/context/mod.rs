@@ -72,6 +72,8 @@ pub struct NodalConditions {
     pub loads: Vec<NodeForce>,
     /// True if those are all that act in this step, in place of those that stay what they are.
     pub(super) spread: bool,
+    /// Forces of standing water on the nodes of fields.
+    pub(super) standing: Vec<FieldForces>,
     /// Nodes of the common field that move with driven bodies, each once, increasing; none that is held.
     pub driven: Vec<DrivenNode>,
     /// Nodes of absorbing planes, each once, increasing.
@@ -90,6 +92,15 @@ pub struct NodalConditions {
     pub half_steps: [f64; 2],
     /// Time over which positions move \[s\].
     pub drift: f64,
+}
+
+/// Forces on the nodes of one field.
+#[derive(Clone, Debug, Default)]
+pub(super) struct FieldForces {
+    /// Number of the field among those of the grid.
+    pub(super) number: usize,
+    /// Forces in order of the nodes; with pore water those on both phases together.
+    pub(super) forces: Vec<NodeForce>,
 }
 
 impl NodalConditions {

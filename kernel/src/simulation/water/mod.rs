@@ -15,4 +15,4 @@ mod gather;
 mod measure;
 mod nodes;
 
-pub(super) use nodes::{drag, share_beyond, split};
+pub(super) use nodes::{drag, porosity_at, share_beyond, split};

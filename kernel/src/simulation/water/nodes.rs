@@ -211,6 +211,23 @@ fn volume(water: &PoreWater, skeleton: &Line, flow: &Line) -> f64 {
     flow[0] / water.density + skeleton[0] / water.grain_density
 }
 
+/// Porosity of a node of a slab, by its index in the grid, where both phases have mass.
+pub(in crate::simulation) fn porosity_at(
+    slab: &Slab<'_>,
+    context: &StepContext<'_>,
+    node: usize,
+) -> Option<f64> {
+    let water = constants(slab, context)?;
+    let [skeleton, flow] = [slab.fields.first()?, slab.fields.last()?].map(|field| {
+        let shape = field.planes.shape;
+        let [plane, row, k] = shape.indices(node);
+        let is_there = field.planes.rows.span(plane, row).contains(&k);
+        is_there.then(|| &field.planes.nodes[node - field.planes.range.start * shape.plane_nodes()])
+    });
+    let (skeleton, flow) = (skeleton?, flow?);
+    (skeleton[0] > 0.0 && flow[0] > 0.0).then(|| porosity(&water, skeleton, flow))
+}
+
 /// Porosity of a node, from the masses of water and grains there: a mean over its particles.
 fn porosity(water: &PoreWater, skeleton: &Line, flow: &Line) -> f64 {
     let pores = flow[0] / water.density;

@@ -39,7 +39,8 @@ pub(super) use self::contact::{
 pub(super) use self::ground::{RawLayer, RawZone};
 pub(super) use self::mesh::{RawEarthquake, RawMesh, RawPlanes};
 pub(super) use self::water::{
-    RawMaterialPressure, RawPressureBox, RawWaterLevels, RawWaterPlanes, RawWaterPressures,
+    RawMaterialPressure, RawPressureBox, RawStandingWater, RawWaterLevels, RawWaterPlanes,
+    RawWaterPressures,
 };
 
 /// A scene: what is simulated, in SI units.
@@ -183,6 +184,12 @@ pub(super) struct RawScene {
         "x-unit" = "m", "x-needs" = "`n_phases` 2, `gravity`", "x-default" = "none", "examples" = [1]
     ))]
     pub water_table: Option<f64>,
+    /// Waters at rest that stand beside bodies and press on their surfaces, wherever these go. In a body with water in its pores
+    /// that water meets the same pressure at the surface; above the level it is zero there.
+    #[schemars(extend(
+        "x-needs" = "`gravity`", "x-default" = "none", "examples" = [[{"level": 3}]]
+    ))]
+    pub standing_water: Option<Vec<RawStandingWater>>,
     /// Pore pressures at the start, each of all particles of a material.
     #[schemars(extend(
         "x-needs" = "`n_phases` 2", "x-default" = "none", "examples" = [[{"material_id": 1, "pressure": 1000}]]

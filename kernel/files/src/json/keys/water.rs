@@ -128,6 +128,40 @@ pub(in crate::json) struct RawWaterLevels {
     pub comment: Option<Comment>,
 }
 
+/// Water at rest that stands beside bodies and presses on their surfaces.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, expecting = "an object with `level`")]
+pub(in crate::json) struct RawStandingWater {
+    /// Level, a coordinate along the axis of gravity: constant, or rows of a time and a level, linear between them and constant
+    /// outside.
+    #[schemars(extend(
+        "x-unit" = "m, or s and m", "x-needs" = "`gravity`", "x-needed" = true, "examples" = [3, [[0, 3], [60, 1]]]
+    ))]
+    pub level: Option<NumberOrTable>,
+    /// Density.
+    #[schemars(extend("x-unit" = "kg/m³", "exclusiveMinimum" = 0, "default" = 1000, "examples" = [1025]))]
+    pub density: Option<f64>,
+    /// Identifiers of the bodies that it presses on.
+    #[schemars(extend("x-default" = "all bodies", "examples" = [[1]]))]
+    pub body_ids: Option<Vec<i64>>,
+    /// Side of the bodies on which it stands.
+    #[schemars(extend(
+        "enum" = ["X0", "Xn", "Y0", "Yn", "Z0", "Zn"], "x-needs" = "`between`",
+        "x-default" = "all around the bodies", "examples" = ["X0"]
+    ))]
+    pub side: Option<String>,
+    /// Coordinates across that side between which the pressure fades from all of it to none. There the bodies must have no surface
+    /// below the level but at planes of the mesh.
+    #[schemars(extend(
+        "x-unit" = "m", "x-needs" = "`side`", "x-default" = "none", "examples" = [[0.4, 0.6]]
+    ))]
+    pub between: Option<Vec<f64>>,
+    /// Words for people, in every object: one text or a list of them. Nothing reads them.
+    #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
+    #[expect(dead_code, reason = "words for people")]
+    pub comment: Option<Comment>,
+}
+
 /// Pore pressure of a material at the start.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(

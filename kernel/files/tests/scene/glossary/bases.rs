@@ -137,6 +137,17 @@ fn of_wet_soil(axes: usize) -> Value {
     scene
 }
 
+/// The block in water that stands beside it.
+fn in_standing_water(axes: usize, keys: &Value) -> Value {
+    let mut scene = block(axes);
+    scene["gravity"] = [vec![0.0; axes - 1], vec![-9.81]].concat().into();
+    scene["standing_water"] = json!([{"level": 0.5}]);
+    for (key, value) in keys.as_object().expect("keys") {
+        scene["standing_water"][0][key] = value.clone();
+    }
+    scene
+}
+
 /// The block of a fluid with more keys.
 fn of_fluid(axes: usize, keys: &Value) -> Value {
     let mut scene = block(axes);
@@ -219,6 +230,8 @@ pub fn bases() -> Vec<Value> {
             })),
             of_clay(axes),
             of_wet_soil(axes),
+            in_standing_water(axes, &none),
+            in_standing_water(axes, &json!({"side": "Xn", "between": [0.25, 0.75]})),
             of_fluid(axes, &none),
             of_fluid(axes, &json!({"type": "bingham", "yield_stress": 10})),
             of_material(axes, &json!({"type": "tresca", "cohesion": 1e6})),

@@ -10,6 +10,7 @@ mod load;
 mod mortar;
 mod results;
 mod revolution;
+mod standing;
 mod strength;
 mod surface;
 mod water;
@@ -47,6 +48,7 @@ impl Scene {
         revolution::check(self, &mut problems);
         strength::check(self, &mut problems);
         water::check(self, &mut problems);
+        standing::check(self, &mut problems);
         results::check(self, &mut problems);
         SceneError::unless_empty(problems.found)
     }

@@ -258,15 +258,25 @@ fn check_company(scene: &Scene, problems: &mut Collector) {
                 "a body that moves freely",
             );
         }
-        let by_weight = matches!(
-            body.initial_stress,
-            InitialStress::AtRest { .. } | InitialStress::Overburden(_)
-        );
+        let mut porosities = scene
+            .pore_water
+            .iter()
+            .flatten()
+            .map(|water| water.porosity);
+        let first = porosities.next();
+        let alike = porosities.all(|porosity| Some(porosity) == first);
+        let below_table = (scene.initial_pressures.iter())
+            .all(|given| matches!(given, InitialPressure::Table { .. }));
+        let by_weight = match body.initial_stress {
+            InitialStress::None | InitialStress::Isotropic(_) => false,
+            InitialStress::AtRest { .. } => !below_table,
+            InitialStress::Overburden(_) => !(below_table && alike),
+        };
         if by_weight {
             problems.add(
                 format!("bodies[{i}].initial_stress"),
                 "stress by the weight above with `n_phases` 2",
-                "`isotropic` effective stress: buoyant weight is not covered yet",
+                "`isotropic` effective stress, or `at_rest` with one porosity and the pore pressures of a `water_table`",
             );
         }
     }
