@@ -234,6 +234,7 @@ fn every_case_has_a_study_or_a_reason_why_not() {
             "hydrostatic-jump",
             "seepage",
             "undrained-patch",
+            "drawdown",
             "breathing",
             "revolved",
             "thick-sphere",

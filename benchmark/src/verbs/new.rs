@@ -196,6 +196,22 @@ const TEMPLATES: &[Template] = &[
         ],
     },
     Template {
+        name: "dam-slope",
+        what: "the water before a dam is drawn down, and its face slides: two phases, standing water",
+        text: include_str!("../../templates/dam-slope.json"),
+        beside: None,
+        stage: "",
+        field: "Displacement",
+        change: &[
+            ("level", "5: the reservoir stays, and the dam stands"),
+            (
+                "friction",
+                "20 instead of 35: it slides under water already",
+            ),
+            ("hydraulic_conductivity", "0.1: water leaves in time"),
+        ],
+    },
+    Template {
         name: "pile",
         what: "a pile in clay settles under a load on its head: a body of revolution",
         text: include_str!("../../templates/pile.json"),

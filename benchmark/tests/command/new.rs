@@ -119,7 +119,14 @@ fn each_is_written_planned_and_run_without_a_warning() {
 #[test]
 fn what_the_comments_promise_happens() {
     let desk = Desk::new();
-    for kind in ["column", "incline", "drop", "soil", "earthquake"] {
+    for kind in [
+        "column",
+        "incline",
+        "drop",
+        "soil",
+        "earthquake",
+        "dam-slope",
+    ] {
         assert_eq!(code(&here(&desk, &["new", kind])), 0);
         let output = here(&desk, &["run", &format!("{kind}.json"), "--out", kind]);
         assert_eq!(code(&output), 0, "{}", stderr(&output));
@@ -153,6 +160,11 @@ fn what_the_comments_promise_happens() {
         fastest("crest_vx"),
         fastest("front_vx")
     );
+    // The reservoir begins to sink after a second, six frames of thirty.
+    let face = column("dam-slope", "face_ux");
+    let stood = face[..=6].iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    assert!(stood < 0.02, "{stood}");
+    assert!(*face.last().expect("a row") > 1.0, "{face:?}");
     let last = *column("earthquake/2-shake", "base_vx")
         .last()
         .expect("a row");

@@ -24,6 +24,7 @@ mod column_modal;
 mod column_terzaghi;
 mod corner_block;
 mod cylinder_core;
+mod drawdown;
 mod element;
 mod fluid;
 mod footing;
@@ -168,6 +169,7 @@ list! {
     hydrostatic_jump::[HYDROSTATIC_JUMP],
     seepage::[SEEPAGE],
     undrained_patch::[UNDRAINED_PATCH],
+    drawdown::[DRAWDOWN],
     breathing::[BREATHING],
     revolved::[REVOLVED],
     thick_sphere::[THICK_SPHERE],
