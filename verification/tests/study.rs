@@ -235,6 +235,7 @@ fn every_case_has_a_study_or_a_reason_why_not() {
             "seepage",
             "undrained-patch",
             "drawdown",
+            "clay-footing",
             "breathing",
             "revolved",
             "thick-sphere",

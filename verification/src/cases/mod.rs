@@ -15,6 +15,7 @@ mod breathing;
 mod cantilever;
 mod cavity;
 mod circular_footing;
+mod clay_footing;
 mod collapse;
 mod colliding_blocks;
 mod colliding_disks;
@@ -170,6 +171,7 @@ list! {
     seepage::[SEEPAGE],
     undrained_patch::[UNDRAINED_PATCH],
     drawdown::[DRAWDOWN],
+    clay_footing::[CLAY_FOOTING],
     breathing::[BREATHING],
     revolved::[REVOLVED],
     thick_sphere::[THICK_SPHERE],

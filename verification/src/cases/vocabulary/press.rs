@@ -16,6 +16,8 @@ pub struct Press {
     reach: f64,
     /// True if the nodes are also held across the direction of the press.
     rough: bool,
+    /// True if it presses pore water too, which cannot leave through it.
+    on_water: bool,
     /// Velocity upwards \[m/s\] at a time \[s\].
     velocity: Box<dyn Fn(f64) -> f64 + Send + Sync>,
     /// Impulse of each node so far \[N s\], by its place: threads visit nodes in an order of their own.
@@ -34,6 +36,7 @@ impl Press {
             cell,
             reach: f64::INFINITY,
             rough: false,
+            on_water: false,
             velocity: Box::new(velocity),
             impulses: Mutex::default(),
         }
@@ -47,6 +50,14 @@ impl Press {
     /// The same, and what touches it cannot slide.
     pub fn rough(self, rough: bool) -> Self {
         Self { rough, ..self }
+    }
+
+    /// The same, and shut for the water in the pores, which it presses as it presses the skeleton.
+    pub fn on_water(self) -> Self {
+        Self {
+            on_water: true,
+            ..self
+        }
     }
 
     /// Impulse downwards that it gave so far \[N s\]; NaN where a thread was lost that kept it.
@@ -65,6 +76,10 @@ impl Press {
 }
 
 impl Condition for Press {
+    fn acts_on_water(&self) -> bool {
+        self.on_water
+    }
+
     fn after(&self, field: &mut FieldNodes<'_, '_>) {
         let (time, kick) = (field.time(), field.kick());
         let [before, after] = [time - kick, time].map(|time| (self.velocity)(time));
