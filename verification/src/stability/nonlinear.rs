@@ -105,6 +105,20 @@ pub static ALL: &[Nonlinear] = &[
         quick: 2,
     },
     Nonlinear {
+        name: "wet-open",
+        what: "a block of two phases is sheared and swings, its water hardly held by the soil",
+        set: scenes::wet_open,
+        usf: false,
+        quick: 2,
+    },
+    Nonlinear {
+        name: "wet-tight",
+        what: "the same with water that cannot flow",
+        set: scenes::wet_tight,
+        usf: false,
+        quick: 2,
+    },
+    Nonlinear {
         name: "newtonian",
         what: "a block of a fluid so viscous that this bounds the step",
         set: scenes::newtonian,
@@ -183,7 +197,14 @@ impl Nonlinear {
             Size::Quick => self.quick,
             Size::Full => METHODS.len(),
         };
-        let can = |method: &&Method| self.usf || method.scheme != StressScheme::Usf;
+        let wet = (self.set)().scene.has_water();
+        let for_water = |method: &Method| {
+            let flip = method.transfer == TransferKind::Flip;
+            flip && method.weighting == Weighting::UniformGimp
+        };
+        let can = |method: &&Method| {
+            (self.usf || method.scheme != StressScheme::Usf) && (!wet || for_water(method))
+        };
         METHODS.iter().filter(can).take(most).copied().collect()
     }
 

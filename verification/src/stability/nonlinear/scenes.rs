@@ -13,7 +13,8 @@ use proctor_laws::{
 use proctor_scene::simulation::{InitialField, InitialState};
 use proctor_scene::{
     BaseMotion, BodyBoundary, Contact, ContactNormal, Dimension, Enforcement, History, Mesh,
-    MortarContact, Motion, PlaneCondition, RigidLine, RigidSurface, Scene, Vector, Vertices,
+    MortarContact, Motion, Permeability, PlaneCondition, PoreWater, RigidLine, RigidSurface, Scene,
+    Vector, Vertices,
 };
 
 use crate::cases::{AT_REST, NO_RESULTS, body, cuboid, material};
@@ -28,6 +29,8 @@ const SOIL: [f64; 2] = [30.0, 5.0];
 /// Bulk modulus \[Pa\] and viscosity \[Pa s\] of a fluid: (4 mu/3)/(rho c h) is 1, so that the step is bounded by both.
 const BULK: f64 = 1.0;
 const VISCOSITY: f64 = 0.75;
+/// Porosity of wet soil, and bulk modulus of its water \[Pa\]: over the porosity five times the modulus of the skeleton.
+const WET: [f64; 2] = [0.4, 2.0];
 /// Speed at which bodies meet \[m/s\].
 const SPEED: f64 = 0.05;
 /// Friction.
@@ -135,6 +138,35 @@ pub fn mohr_coulomb() -> Set {
     let [friction, dilation] = SOIL;
     let law = MohrCoulomb::new(YOUNG, POISSON, [friction, 0.5 * YIELD, dilation]);
     lone(law.into(), shearing, 200.0)
+}
+
+/// A block of two phases of one density and of water five times as stiff as its skeleton, sheared, with a conductivity \[m/s\]
+/// for a gravity of 1 m/s².
+fn wet(conductivity: f64) -> Set {
+    let mut set = lone(elastic(), shearing, 200.0);
+    set.scene.pore_water = vec![Some(PoreWater {
+        porosity: WET[0],
+        grain_density: 1.0,
+        density: 1.0,
+        bulk: WET[1],
+        conductivity: [conductivity; 3],
+        permeability: Permeability::Constant,
+        conductivity_gravity: 1.0,
+    })];
+    set.scene.water_planes = set.scene.mesh.planes;
+    set
+}
+
+/// A block whose water flows nearly freely: its drag takes a step of the block's waves to stop it.
+#[must_use]
+pub fn wet_open() -> Set {
+    wet(1.0)
+}
+
+/// A block whose water moves with its skeleton.
+#[must_use]
+pub fn wet_tight() -> Set {
+    wet(1e-9)
 }
 
 /// A viscous fluid that breathes.
