@@ -204,11 +204,11 @@ const TEMPLATES: &[Template] = &[
         field: "Displacement",
         change: &[
             ("level", "5: the reservoir stays, and the dam stands"),
+            ("cohesion", "2e4 instead of 1000: it stands"),
             (
-                "friction",
-                "20 instead of 35: it slides under water already",
+                "hydraulic_conductivity",
+                "0.1: pores drain, and it slides a quarter as far",
             ),
-            ("hydraulic_conductivity", "0.1: water leaves in time"),
         ],
     },
     Template {
