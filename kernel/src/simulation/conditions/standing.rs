@@ -109,9 +109,7 @@ impl Condition for StandingWaters {
     fn settled(&self, field: &mut FieldNodes<'_, '_>) {
         for_forces(field, |line, force, sums| {
             if let Some(sums) = sums {
-                sums.power += (0..3)
-                    .map(|axis| force[axis] * line[1 + axis])
-                    .sum::<f64>();
+                sums.power += (0..3).map(|axis| force[axis] * line[1 + axis]).sum::<f64>();
             }
         });
     }
@@ -404,10 +402,7 @@ fn for_forces(
     let Some(found) = standing.iter().find(|one| one.number == number) else {
         return;
     };
-    let (per_plane, planes) = (
-        field.slab.shape().plane_nodes(),
-        field.slab.range(),
-    );
+    let (per_plane, planes) = (field.slab.shape().plane_nodes(), field.slab.range());
     let first = planes.start * per_plane;
     let begin = (found.forces).partition_point(|load| load.node < first);
     let end = (found.forces).partition_point(|load| load.node < planes.end * per_plane);
