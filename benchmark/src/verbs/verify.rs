@@ -73,6 +73,9 @@ pub struct Verify {
     /// Number of problems of the mill [default: 30]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..), conflicts_with = "problem")]
     count: Option<u64>,
+    /// Number of the first problem of the mill, so that a run goes on where another ended [default: 0]
+    #[arg(long, value_name = "N", conflicts_with = "problem")]
+    first: Option<u64>,
     /// Run this problem of the mill instead of random ones: a file that the mill wrote for a problem that missed a gate
     #[arg(long, value_name = "FILE")]
     problem: Option<PathBuf>,
@@ -191,10 +194,10 @@ impl Verify {
                 "found --ladders without `refine`; accepted: proctor verify refine --ladders RECORD",
             )
         } else if self.mills() {
-            with_mill.then_some("found `mill` beside other cases or options of cases; accepted: `mill` alone, with --seed, --count, --problem, --out, --json and --threads")
-        } else if self.count.is_some() || self.problem.is_some() {
+            with_mill.then_some("found `mill` beside other cases or options of cases; accepted: `mill` alone, with --seed, --count, --first, --problem, --out, --json and --threads")
+        } else if self.count.is_some() || self.first.is_some() || self.problem.is_some() {
             Some(
-                "found --count or --problem without `mill`; accepted: proctor verify mill --count N",
+                "found --count, --first or --problem without `mill`; accepted: proctor verify mill --count N",
             )
         } else if self.generated.is_none() && (self.seed.is_some() || self.out.is_some()) {
             Some(
@@ -213,6 +216,7 @@ impl Verify {
         }
         Mill {
             count: self.count.unwrap_or(mill::COUNT),
+            first: self.first.unwrap_or(0),
             seed: self.seed.unwrap_or(SEED),
             problem: self.problem.as_deref(),
             threads: self.settings.options()?.threads,

@@ -12,7 +12,8 @@ fn hats() -> Value {
 /// A problem in a file, with something changed.
 fn changed(desk: &Desk, pointer: &str, value: Value) -> String {
     let mut problem = hats();
-    *problem.pointer_mut(pointer).expect("a key") = value;
+    let (parent, key) = pointer.rsplit_once('/').expect("a key");
+    problem.pointer_mut(parent).expect("an object")[key] = value;
     desk.scene("problem.json", &problem)
 }
 
@@ -58,6 +59,72 @@ fn a_few_problems_are_judged_and_counted() {
             .collect::<Vec<_>>()
     };
     assert_eq!(told(stdout(&output)), told(stdout(&run("2"))));
+}
+
+/// A run that begins at a number judges the same problems as one that comes to it.
+#[test]
+fn a_run_begins_at_a_number() {
+    let desk = Desk::new();
+    let problems = |first: &str, count: &str| {
+        let (result, folder) = (desk.name("result.json"), desk.name("misses"));
+        let output = proctor(&[
+            "verify", "mill", "--seed", "5", "--first", first, "--count", count, "--json", &result,
+            "--out", &folder,
+        ]);
+        assert_eq!(code(&output), 0, "{}", stderr(&output));
+        let text = std::fs::read_to_string(&result).expect("a result");
+        let result: Value = serde_json::from_str(&text).expect("JSON");
+        result["problems"].as_array().expect("problems").clone()
+    };
+    let (all, last) = (problems("0", "3"), problems("2", "1"));
+    assert_eq!(last.len(), 1);
+    assert_eq!(last[0]["number"], 2);
+    assert_eq!(last[0], all[2]);
+}
+
+/// A file may ask for other particles and a shorter step than those that are drawn, and says so when it is written again.
+#[test]
+fn particles_and_step_of_a_file_are_taken() {
+    let desk = Desk::new();
+    let mut problem = hats();
+    problem["method"]["particles_per_cell"] = json!(3);
+    problem["method"]["share_of_step"] = json!(0.3);
+    let given = desk.scene("given.json", &problem);
+    let (result, folder) = (desk.name("result.json"), desk.name("misses"));
+    let output = proctor(&[
+        "verify",
+        "mill",
+        "--problem",
+        &given,
+        "--json",
+        &result,
+        "--out",
+        &folder,
+    ]);
+    assert_eq!(code(&output), 1, "{}", stderr(&output));
+    let line = stdout(&output);
+    let (_, written) = line.split_once("--problem ").expect("a file");
+    let written = written.lines().next().expect("a path");
+    let text = std::fs::read_to_string(written).expect("a file");
+    assert_eq!(serde_json::from_str::<Value>(&text).expect("JSON"), problem);
+    let usual = desk.scene("usual.json", &hats());
+    let usual_result = desk.name("usual-result.json");
+    proctor(&[
+        "verify",
+        "mill",
+        "--problem",
+        &usual,
+        "--json",
+        &usual_result,
+        "--out",
+        &folder,
+    ]);
+    let errors = |path: &str| {
+        let text = std::fs::read_to_string(path).expect("a result");
+        let result: Value = serde_json::from_str(&text).expect("JSON");
+        result["problems"][0]["errors"].clone()
+    };
+    assert_ne!(errors(&result), errors(&usual_result));
 }
 
 /// A problem that misses a gate is written, and its file gives the same miss.
@@ -106,6 +173,8 @@ fn what_is_no_problem_is_refused_with_the_key() {
         ("/material/poisson", json!(0.5), "0 to 0.49"),
         ("/method/weighting", json!("hats"), "cpGIMP"),
         ("/method/scheme", json!(3), "`method.scheme`"),
+        ("/method/particles_per_cell", json!(9), "accepted: 1 to 8"),
+        ("/method/share_of_step", json!(1.5), "above 0, up to 1"),
         ("/motion/bubble", json!(1), "a power from 2 to 16"),
         ("/motion/polynomials", json!([]), "2 axes"),
         (
@@ -170,7 +239,16 @@ fn the_mill_and_cases_do_not_mix() {
             "--problem",
             "problem.json",
         ],
+        &[
+            "verify",
+            "mill",
+            "--first",
+            "3",
+            "--problem",
+            "problem.json",
+        ],
         &["verify", "bar", "--count", "3"],
+        &["verify", "bar", "--first", "3"],
         &["verify", "--count", "3"],
         &["verify", "--problem", "problem.json"],
         &["verify", "mill", "--problem", "nowhere.json"],

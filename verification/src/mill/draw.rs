@@ -5,7 +5,7 @@ use proctor_scene::{DomainUpdate, StressScheme, TransferKind, Weighting};
 
 use super::material::{Kind, Material};
 use super::motion::{Bubble, Field, Matrix, Motion, TERMS, Vector, determinant, matrix, product};
-use super::problem::{Family, Problem};
+use super::problem::{Family, PARTICLES_PER_CELL, Problem, SHARE_OF_STEP};
 use crate::generated::Dice;
 use crate::settings::Method;
 
@@ -95,6 +95,8 @@ pub fn of(dice: &mut Dice, choice: &Choice, name: String) -> Result<Problem, Str
         friction,
         end,
         method: choice.method,
+        particles_per_cell: PARTICLES_PER_CELL,
+        share_of_step: SHARE_OF_STEP,
         ladder,
         fastest: 0.0,
     };
@@ -361,7 +363,7 @@ fn begin_on_surface(material: &mut Material, stretch: &Matrix) -> f64 {
 /// Fastest wave and particle together \[m/s\] of a problem that may be run.
 ///
 /// # Errors
-/// The body inverts nearly or is stretched more than weighting functions bear.
+/// The body inverts nearly or is stretched more than weighting functions bear, or a viscosity needs shorter steps.
 pub fn solvable(problem: &Problem) -> Result<f64, String> {
     let law = problem.material.law();
     let variables: Vec<f64> = (law.variables().iter())
@@ -370,7 +372,7 @@ pub fn solvable(problem: &Problem) -> Result<f64, String> {
     let places: Vec<_> = (problem.samples(11).iter())
         .map(|x| problem.motion.of(x))
         .collect();
-    let (mut wave, mut speed) = (0.0_f64, 0.0_f64);
+    let (mut wave, mut speed, mut swelling) = (0.0_f64, 0.0_f64, 1.0_f64);
     for time in problem.times(9) {
         let moment = problem.motion.at(time);
         for place in &places {
@@ -385,6 +387,7 @@ pub fn solvable(problem: &Problem) -> Result<f64, String> {
             if !bearable {
                 return Err(format!("stretches from {low:.3} to {high:.3}"));
             }
+            swelling = swelling.max(jacobian);
             let density = problem.material.density;
             wave = wave.max(law.speed_squared(&Particle {
                 mass: density,
@@ -398,7 +401,37 @@ pub fn solvable(problem: &Problem) -> Result<f64, String> {
             speed = speed.max(v.iter().map(|v| v * v).sum());
         }
     }
-    Ok(wave.sqrt() + speed.sqrt())
+    let fastest = wave.sqrt() + speed.sqrt();
+    let diffusivity = law.viscosity() * swelling / problem.material.density;
+    steps_bear(problem, fastest, diffusivity)?;
+    Ok(fastest)
+}
+
+/// Looks at steps that waves of `fastest` \[m/s\] alone allow, with a longitudinal viscosity over density \[m²/s\].
+///
+/// A leapfrog step takes the viscous force from the velocity half a step before, so that a wave of number k stays bounded while
+/// (c k dt)² + 2 nu k² dt <= 4; k is that of the shortest wave of the mesh, of which 2/(c k) is the critical step without viscosity.
+///
+/// # Errors
+/// A mesh with a longer step.
+fn steps_bear(problem: &Problem, fastest: f64, diffusivity: f64) -> Result<(), String> {
+    let problem = Problem {
+        fastest,
+        ..problem.clone()
+    };
+    for &cells in &problem.ladder {
+        let (dt, _) = problem.steps(cells);
+        let k = 2.0 / problem.way(cells);
+        let both = (fastest * k * dt).powi(2) + 2.0 * diffusivity * k * k * dt;
+        // What is not a number is no bound that holds.
+        let stable = both <= 4.0;
+        if !stable {
+            return Err(format!(
+                "steps of {dt:.3e} s on {cells} cells are above the critical one under viscosity: {both:.2} of 4"
+            ));
+        }
+    }
+    Ok(())
 }
 
 /// Smallest and largest principal stretch.

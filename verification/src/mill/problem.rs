@@ -63,8 +63,10 @@ impl Family {
 pub const COARSEST: usize = 8;
 /// Cells between the body and the boundary of its mesh, of the coarsest.
 const MARGIN: f64 = 3.0;
-/// Share of the largest stable step that a run takes; waves and particles are counted as they become.
+/// Share of the largest stable step of problems that are drawn; waves and particles are counted as they become.
 pub const SHARE_OF_STEP: f64 = 0.6;
+/// Particles per cell and axis of problems that are drawn.
+pub const PARTICLES_PER_CELL: usize = 2;
 
 /// A problem that a mill made.
 #[derive(Clone, Debug, PartialEq)]
@@ -83,6 +85,10 @@ pub struct Problem {
     pub end: f64,
     /// Weighting function, scheme and transfer.
     pub method: Method,
+    /// Particles per cell and axis.
+    pub particles_per_cell: usize,
+    /// Share of the largest stable step that a run takes.
+    pub share_of_step: f64,
     /// Cells per metre, coarse to fine.
     pub ladder: Vec<usize>,
     /// Fastest wave of the moved body and fastest particle together \[m/s\].
@@ -169,15 +175,28 @@ impl Problem {
         mesh
     }
 
+    fn settings(&self) -> Settings {
+        Settings {
+            particles_per_cell: self.particles_per_cell,
+            ..Settings::new(self.method)
+        }
+    }
+
+    /// The way that the fastest wave goes in the largest stable step on cells of one part in `cells` of a metre \[m\].
+    #[must_use]
+    pub fn way(&self, cells: usize) -> f64 {
+        self.method.stability_number(self.particles_per_cell) / cells as f64
+    }
+
     /// Equal steps in cells of one part in `cells` of a metre: their length \[s\] and number.
     #[must_use]
     pub fn steps(&self, cells: usize) -> (f64, usize) {
-        let settings = Settings::new(self.method);
+        let settings = self.settings();
         // Laws that return to a yield surface are of first order in the step: with dt like h² they do not hide the order in h.
         let share = if self.material.kind.yields() {
-            SHARE_OF_STEP * self.ladder[0] as f64 / cells as f64
+            self.share_of_step * self.ladder[0] as f64 / cells as f64
         } else {
-            SHARE_OF_STEP
+            self.share_of_step
         };
         let courant = share * self.method.stability_number(settings.particles_per_cell);
         let (_, steps) =
@@ -240,7 +259,7 @@ impl Problem {
                 normal: ContactNormal::Collinear,
             });
         }
-        Settings::new(self.method).apply(&mut scene);
+        self.settings().apply(&mut scene);
         scene
     }
 }

@@ -162,6 +162,23 @@ fn what_has_no_solution_is_refused() {
     assert!(refused.contains("det F"), "{refused}");
 }
 
+/// Problem 266 of seed 8: its step is stable without viscosity, and the kernel refuses it with it.
+#[test]
+fn a_step_above_that_of_viscosity_is_refused() {
+    let refused = draw::problem(8, 266, 0).expect_err("a step above the critical one");
+    assert!(refused.contains("under viscosity"), "{refused}");
+    let kinds = [TransferKind::Flip, TransferKind::Apic];
+    for method in kinds.map(|transfer| method(StressScheme::Usf, transfer)) {
+        let mut fluid = problem(Family::Box, Kind::Newtonian, method);
+        draw::solvable(&fluid).expect("a stable step");
+        fluid.material.viscosity *= 100.0;
+        let refused = draw::solvable(&fluid).expect_err("a step above the critical one");
+        assert!(refused.contains("under viscosity"), "{refused}");
+        fluid.share_of_step = 1e-3;
+        draw::solvable(&fluid).expect("a short step");
+    }
+}
+
 /// A frame that strains back unloads points that yield: the body force would jump.
 #[test]
 fn what_stops_to_yield_is_refused() {

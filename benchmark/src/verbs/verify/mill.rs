@@ -30,6 +30,8 @@ pub const COUNT: u64 = 30;
 pub struct Mill<'a> {
     /// Number of problems.
     pub count: u64,
+    /// Number of the first of them.
+    pub first: u64,
     /// Seed of all of them.
     pub seed: u64,
     /// One problem from a file instead.
@@ -113,7 +115,7 @@ impl Mill<'_> {
         )?;
         if let Some(path) = self.json {
             let all = json!({
-                "seed": self.seed, "asked": self.count, "misses": misses, "refused": refused,
+                "seed": self.seed, "first": self.first, "asked": self.count, "misses": misses, "refused": refused,
                 "methods": table.json(), "problems": rows,
             });
             write(path, &all)?;
@@ -132,7 +134,8 @@ impl Mill<'_> {
     fn answers(&self, interrupt: &Interrupt) -> Vec<ProblemAnswer> {
         let mut progress = Progress::new("manufactured problems");
         let threads = self.threads.unwrap_or_else(processors);
-        let next = AtomicU64::new(0);
+        let next = AtomicU64::new(self.first);
+        let end = self.first.saturating_add(self.count);
         let (sender, receiver) = mpsc::channel::<ProblemAnswer>();
         let mut all = vec![];
         thread::scope(|scope| {
@@ -141,7 +144,7 @@ impl Mill<'_> {
                 scope.spawn(move || {
                     while !interrupt.raised() {
                         let number = next.fetch_add(1, Ordering::Relaxed);
-                        if number >= self.count {
+                        if number >= end {
                             return;
                         }
                         if sender

@@ -6,7 +6,9 @@ use proctor_scene::{StressScheme, TransferKind, Weighting};
 use proctor_verification::mill::draw;
 use proctor_verification::mill::material::{Kind, Material};
 use proctor_verification::mill::motion::{Bubble, Field, Motion};
-use proctor_verification::mill::problem::{COARSEST, Family, Problem};
+use proctor_verification::mill::problem::{
+    COARSEST, Family, PARTICLES_PER_CELL, Problem, SHARE_OF_STEP,
+};
 use proctor_verification::settings::Method;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
@@ -19,6 +21,8 @@ const SCHEMES: [(&str, StressScheme); 3] = [
     ("USF", StressScheme::Usf),
 ];
 
+/// Most particles per cell and axis that a file may ask for.
+const MOST_PARTICLES: usize = 8;
 /// Finest mesh that a file may ask for, in cells per metre.
 const FINEST: usize = 512;
 
@@ -30,7 +34,7 @@ pub fn write(problem: &Problem) -> Value {
         Bubble::Cosine => json!("cosine"),
         Bubble::Power(n) => json!(n),
     };
-    json!({
+    let mut written = json!({
         "name": problem.name,
         "family": problem.family.word(),
         "axes": axes,
@@ -62,7 +66,15 @@ pub fn write(problem: &Problem) -> Value {
             "density": material.density,
             "stress": material.stress,
         },
-    })
+    });
+    // As drawn they need no word.
+    if problem.particles_per_cell != PARTICLES_PER_CELL {
+        written["method"]["particles_per_cell"] = json!(problem.particles_per_cell);
+    }
+    if problem.share_of_step != SHARE_OF_STEP {
+        written["method"]["share_of_step"] = json!(problem.share_of_step);
+    }
+    written
 }
 
 /// Reads a problem.
@@ -140,6 +152,8 @@ fn problem(value: &Value) -> Result<Problem, String> {
         friction: or_zero(value, "friction", "a number that is not negative")?,
         end,
         method: method(value)?,
+        particles_per_cell: particles_per_cell(value)?,
+        share_of_step: share_of_step(value)?,
         ladder,
         fastest: 0.0,
     })
@@ -216,6 +230,29 @@ fn method(value: &Value) -> Result<Method, String> {
         scheme: word(value, "method.scheme", &SCHEMES)?,
         transfer: word(value, "method.transfer", &transfers)?,
     })
+}
+
+/// Particles per cell and axis; those of drawn problems where a file has none.
+fn particles_per_cell(value: &Value) -> Result<usize, String> {
+    let found = at::<Option<usize>>(value, "method.particles_per_cell")?;
+    match found.unwrap_or(PARTICLES_PER_CELL) {
+        count @ 1..=MOST_PARTICLES => Ok(count),
+        count => Err(format!(
+            "`method.particles_per_cell` is {count}; accepted: 1 to {MOST_PARTICLES}"
+        )),
+    }
+}
+
+/// Share of the largest stable step; that of drawn problems where a file has none.
+fn share_of_step(value: &Value) -> Result<f64, String> {
+    let found = at::<Option<f64>>(value, "method.share_of_step")?.unwrap_or(SHARE_OF_STEP);
+    if found > 0.0 && found <= 1.0 {
+        Ok(found)
+    } else {
+        Err(format!(
+            "`method.share_of_step` is {found}; accepted: above 0, up to 1"
+        ))
+    }
 }
 
 /// The number at a key that a problem of another kind lacks; 0 where it is not there.
