@@ -76,6 +76,9 @@ pub struct Verify {
     /// Number of the first problem of the mill, so that a run goes on where another ended [default: 0]
     #[arg(long, value_name = "N", conflicts_with = "problem")]
     first: Option<u64>,
+    /// Write each problem of the mill as a file, not only those that miss a gate
+    #[arg(long, conflicts_with = "problem")]
+    keep: bool,
     /// Run this problem of the mill instead of random ones: a file that the mill wrote for a problem that missed a gate
     #[arg(long, value_name = "FILE")]
     problem: Option<PathBuf>,
@@ -172,6 +175,11 @@ impl Verify {
         self.cases.iter().any(|name| name == mill::NAME)
     }
 
+    /// True where an option is given that belongs to the mill alone.
+    fn of_mill(&self) -> bool {
+        self.count.is_some() || self.first.is_some() || self.keep || self.problem.is_some()
+    }
+
     /// True where the calibration of error bars is meant, not cases.
     fn calibrates(&self) -> bool {
         self.cases.iter().any(|name| name == refine::NAME)
@@ -194,10 +202,10 @@ impl Verify {
                 "found --ladders without `refine`; accepted: proctor verify refine --ladders RECORD",
             )
         } else if self.mills() {
-            with_mill.then_some("found `mill` beside other cases or options of cases; accepted: `mill` alone, with --seed, --count, --first, --problem, --out, --json and --threads")
-        } else if self.count.is_some() || self.first.is_some() || self.problem.is_some() {
+            with_mill.then_some("found `mill` beside other cases or options of cases; accepted: `mill` alone, with --seed, --count, --first, --keep, --problem, --out, --json and --threads")
+        } else if self.of_mill() {
             Some(
-                "found --count, --first or --problem without `mill`; accepted: proctor verify mill --count N",
+                "found --count, --first, --keep or --problem without `mill`; accepted: proctor verify mill --count N",
             )
         } else if self.generated.is_none() && (self.seed.is_some() || self.out.is_some()) {
             Some(
@@ -218,6 +226,7 @@ impl Verify {
             count: self.count.unwrap_or(mill::COUNT),
             first: self.first.unwrap_or(0),
             seed: self.seed.unwrap_or(SEED),
+            keep: self.keep,
             problem: self.problem.as_deref(),
             threads: self.settings.options()?.threads,
             folder: self.out.as_deref().unwrap_or(Path::new(MILLED)),

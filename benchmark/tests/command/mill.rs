@@ -66,11 +66,11 @@ fn a_few_problems_are_judged_and_counted() {
 fn a_run_begins_at_a_number() {
     let desk = Desk::new();
     let problems = |first: &str, count: &str| {
-        let (result, folder) = (desk.name("result.json"), desk.name("misses"));
-        let output = proctor(&[
-            "verify", "mill", "--seed", "5", "--first", first, "--count", count, "--json", &result,
-            "--out", &folder,
-        ]);
+        let (result, folder) = (desk.name("result.json"), desk.name("problems"));
+        let mut words = vec!["verify", "mill", "--seed", "5", "--keep"];
+        words.extend(["--first", first, "--count", count]);
+        words.extend(["--json", &result, "--out", &folder]);
+        let output = proctor(&words);
         assert_eq!(code(&output), 0, "{}", stderr(&output));
         let text = std::fs::read_to_string(&result).expect("a result");
         let result: Value = serde_json::from_str(&text).expect("JSON");
@@ -80,6 +80,10 @@ fn a_run_begins_at_a_number() {
     assert_eq!(last.len(), 1);
     assert_eq!(last[0]["number"], 2);
     assert_eq!(last[0], all[2]);
+    // The file of a problem that holds, which holds again.
+    let file = last[0]["problem"].as_str().expect("a file");
+    let again = proctor(&["verify", "mill", "--problem", file]);
+    assert_eq!(code(&again), 0, "{}{}", stdout(&again), stderr(&again));
 }
 
 /// A file may ask for other particles and a shorter step than those that are drawn, and says so when it is written again.
@@ -249,6 +253,7 @@ fn the_mill_and_cases_do_not_mix() {
         ],
         &["verify", "bar", "--count", "3"],
         &["verify", "bar", "--first", "3"],
+        &["verify", "bar", "--keep"],
         &["verify", "--count", "3"],
         &["verify", "--problem", "problem.json"],
         &["verify", "mill", "--problem", "nowhere.json"],

@@ -20,6 +20,8 @@ const SHARE_OF_FLOW: f64 = 0.4;
 const SMALL: f64 = 1e-3;
 /// Largest angle by which a floating body turns \[rad\].
 const MOST_SPIN: f64 = 0.8;
+/// The same with FLIP, over the strain.
+const MOST_SPIN_OF_FLIP: f64 = 5.0;
 
 /// The kind of a problem; its numbers are drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -85,6 +87,9 @@ pub fn of(dice: &mut Dice, choice: &Choice, name: String) -> Result<Problem, Str
         // Followed with steps like h², which takes long on the finest mesh.
         2 if choice.kind.yields() => vec![8, 16, 24],
         2 => vec![8, 16, 32],
+        // Errors of splines on 8 cells in space are not asymptotic: those of mesh and step cancel. Problem 142 of seed 8 has order
+        // 1.09 from 8 to 16 cells, 1.69 with half the step, and 1.97 from 16 to 24.
+        _ if choice.method.weighting == Weighting::QuadraticBSpline => vec![8, 16, 24],
         _ => vec![8, 16],
     };
     let mut problem = Problem {
@@ -95,13 +100,33 @@ pub fn of(dice: &mut Dice, choice: &Choice, name: String) -> Result<Problem, Str
         friction,
         end,
         method: choice.method,
-        particles_per_cell: PARTICLES_PER_CELL,
+        particles_per_cell: particles_per_cell(choice),
         share_of_step: SHARE_OF_STEP,
         ladder,
         fastest: 0.0,
     };
     problem.fastest = solvable(&problem)?;
     Ok(problem)
+}
+
+/// Particles per cell and axis: one more where a law yields between domains that follow the deformation.
+///
+/// Domains keep their axes, so that turn and shear leave gaps, through which a uniform stress has forces at the nodes. They make
+/// strains that do not fall with the mesh; an elastic law bears them, and a plastic strain keeps them. Without a field, so that the
+/// frame alone is left, problems 316 and 448 of seed 8 are off by 1.3e-3 and 1.9e-3 of it on 16 cells and by 2.3e-3 and 3.0e-3 on 32;
+/// without turn and shear by 8e-5 and 2.6e-4, of order 2. Four of 297 problems of that seed missed an order by it; with three
+/// particles they have orders from 1.0.
+fn particles_per_cell(choice: &Choice) -> usize {
+    if choice.kind.yields() && follows(choice.method.weighting) {
+        PARTICLES_PER_CELL + 1
+    } else {
+        PARTICLES_PER_CELL
+    }
+}
+
+/// True where domains follow the deformation.
+fn follows(weighting: Weighting) -> bool {
+    matches!(weighting, Weighting::ContiguousGimp(_))
 }
 
 fn kind(dice: &mut Dice, family: Family, axes: usize) -> Kind {
@@ -189,9 +214,9 @@ fn motion(dice: &mut Dice, choice: &Choice, material: &mut Material, end: f64) -
         Family::Floating => Bubble::Power(2),
         Family::Frame | Family::Affine | Family::Cut => Bubble::Power(4),
     };
-    let crosses = matches!(choice.method.weighting, Weighting::ContiguousGimp(_));
+    let crosses = follows(choice.method.weighting);
     let mut strain = if crosses {
-        dice.between(0.05, 0.15)
+        dice.between(0.05, most_strain(choice.kind))
     } else {
         SMALL
     };
@@ -212,12 +237,10 @@ fn motion(dice: &mut Dice, choice: &Choice, material: &mut Material, end: f64) -
         motion.center[..axes].fill(0.5);
     } else {
         let most = match family {
-            // Three of 133 floating bodies with FLIP had stresses beyond their bound, at 0.65 to 0.71 rad; without the turn, or with
-            // APIC, they hold.
-            Family::Floating if choice.method.transfer == TransferKind::Flip => 0.5 * MOST_SPIN,
-            Family::Floating => MOST_SPIN,
-            // Six yielding frames missed an order at 0.36 to 0.40 rad, five of them with USF; without the turn they hold. That
-            // domains keep their axes is one cause; B-splines miss in four of them too, so that it is not the only one.
+            Family::Floating => most_spin(choice, strain),
+            // Gaps between domains grow with the turn: problem 557 of seed 1 misses three orders at twice its turn with two
+            // particles per cell, and none with three. Splines, whose particles are points, bear less: a frame without a field
+            // leaves up to a hundred times as much.
             _ if crosses && material.kind.yields() => 0.25 * MOST_SPIN,
             _ if crosses => 0.5 * MOST_SPIN,
             _ => SMALL,
@@ -256,6 +279,31 @@ fn motion(dice: &mut Dice, choice: &Choice, material: &mut Material, end: f64) -
         *coefficient *= factor;
     }
     motion
+}
+
+/// Largest strain of a motion whose particles cross cells. Nothing but inertia holds a fluid against forces of gaps between domains:
+/// problem 892 of seed 8 has order 1.49 at a strain of 0.12, 1.60 at 0.10, and 2.24 with an elastic law.
+fn most_strain(kind: Kind) -> f64 {
+    if kind == Kind::Newtonian { 0.1 } else { 0.15 }
+}
+
+/// Largest angle by which a floating body turns \[rad\].
+///
+/// Nodes have more inertia than particles, so that FLIP turns a body too little, by a share of some (h/R)²: the error is in
+/// proportion to the turn, and over the field to turn over strain. Problem 105 of seed 8 had 6.6 times its strain and a stress off by
+/// 0.64 (bound 0.6), with half the turn by 0.29, and with half the strain by 1.27; its displacement was off by 0.48 of the field,
+/// and the lost turn alone is 0.36 of it.
+///
+/// In rate form elasticity keeps what gaps between domains leave: problem 533 of seed 8 at 0.76 rad has order 1.29, with half the
+/// turn 1.61, without it 2.07, and with Hencky's law 1.85.
+fn most_spin(choice: &Choice, strain: f64) -> f64 {
+    if choice.method.transfer == TransferKind::Flip {
+        (0.5 * MOST_SPIN).min(MOST_SPIN_OF_FLIP * strain)
+    } else if choice.kind == Kind::Elastic {
+        0.5 * MOST_SPIN
+    } else {
+        MOST_SPIN
+    }
 }
 
 fn polynomials(dice: &mut Dice, axes: usize) -> [[f64; TERMS]; 3] {

@@ -1,7 +1,7 @@
 //! Motions, stresses and forces against differences and against the kernel's laws.
 
 use proctor_laws::{Hencky, Law, NeoHookean, Point};
-use proctor_scene::{StressScheme, TransferKind};
+use proctor_scene::{StressScheme, TransferKind, Weighting};
 use proctor_verification::mill::check::{Derivation, derivation};
 use proctor_verification::mill::draw::{self, Choice};
 use proctor_verification::mill::judge;
@@ -177,6 +177,55 @@ fn a_step_above_that_of_viscosity_is_refused() {
         fluid.share_of_step = 1e-3;
         draw::solvable(&fluid).expect("a short step");
     }
+}
+
+/// A float with FLIP turns by no more than its strain allows, one in rate form by 0.4 rad; fluids strain by 0.1 at most; bodies that
+/// yield between domains that follow them have three particles per cell and axis.
+#[test]
+fn draws_keep_their_limits() {
+    let mut found = [0; 4];
+    for number in 0..300 {
+        let Ok(problem) = draw::problem(11, number, 0) else {
+            continue;
+        };
+        let motion = &problem.motion;
+        let steepest = (problem.samples(21).iter())
+            .map(|x| {
+                motion
+                    .of(x)
+                    .gradient
+                    .iter()
+                    .flatten()
+                    .map(|x| x * x)
+                    .sum::<f64>()
+            })
+            .fold(0.0, f64::max)
+            .sqrt();
+        let turn = (motion.spin * problem.end).abs();
+        let follows = matches!(problem.method.weighting, Weighting::ContiguousGimp(_));
+        let (kind, floats) = (problem.material.kind, problem.family == Family::Floating);
+        if floats && problem.method.transfer == TransferKind::Flip {
+            found[0] += 1;
+            assert!(
+                turn <= 5.0 * steepest * (1.0 + 1e-9),
+                "{number}: {turn} at {steepest}"
+            );
+        }
+        if floats && kind == Kind::Elastic {
+            found[1] += 1;
+            assert!(turn <= 0.4, "{number}: {turn}");
+        }
+        if kind == Kind::Newtonian && problem.family == Family::Box {
+            found[2] += 1;
+            assert!(steepest <= 0.1 + 1e-9, "{number}: {steepest}");
+        }
+        if kind.yields() && follows {
+            found[3] += 1;
+        }
+        let particles = if kind.yields() && follows { 3 } else { 2 };
+        assert_eq!(problem.particles_per_cell, particles, "{number}");
+    }
+    assert!(found.iter().all(|count| *count > 0), "{found:?}");
 }
 
 /// A frame that strains back unloads points that yield: the body force would jump.

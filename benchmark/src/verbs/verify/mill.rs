@@ -40,6 +40,8 @@ pub struct Mill<'a> {
     pub threads: Option<usize>,
     /// Folder for problems that miss a gate.
     pub folder: &'a Path,
+    /// Problems that hold are written there, too.
+    pub keep: bool,
     /// File of the result as JSON.
     pub json: Option<&'a Path>,
     /// A table beside the verdict.
@@ -89,6 +91,9 @@ impl Mill<'_> {
                 misses += 1;
                 let path = self.keep(&answer.problem)?;
                 told(answer, &path, out)?;
+                row["problem"] = json!(path.display().to_string());
+            } else if self.keep {
+                let path = self.keep(&answer.problem)?;
                 row["problem"] = json!(path.display().to_string());
             }
             rows.push(row);
