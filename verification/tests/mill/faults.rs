@@ -238,30 +238,6 @@ fn a_wrong_reference_fails() {
     }
 }
 
-/// Tresca's stress is held by its surface but for the mean, which follows the volume: without a change of volume its error is that on
-/// the surface, and with one that of an elastic law for the share of the stress that it makes.
-#[test]
-fn the_mean_stress_of_a_clay_is_judged_as_that_of_an_elastic_law() {
-    let mut clay = problem(Family::Frame, Kind::Tresca, USL);
-    clay.ladder = vec![8, 32];
-    for coefficient in clay.motion.field.polynomials.iter_mut().flatten() {
-        *coefficient = 0.0;
-    }
-    clay.motion.stretch = [[0.0; 3]; 3];
-    assert_eq!(expected::of(&clay).error_of_stress, 5e-3);
-    (clay.material.young, clay.material.poisson) = (1e6, 0.25);
-    clay.material.stress = [3e4, -3e4, 0.0, 0.0, 0.0, 0.0];
-    for axis in 0..2 {
-        clay.motion.stretch[axis][axis] = 0.02 / clay.end;
-    }
-    // lambda = mu = 4e5 Pa, ln J = 2 ln 1.02.
-    let swelling = 2.0 * libm::log(1.02);
-    let elastic = [8e5, 8e5, 4e5].map(|modulus| (modulus * swelling).powi(2));
-    let (elastic, start) = (elastic.iter().sum::<f64>(), 2.0 * 3e4_f64.powi(2));
-    let bound = 0.1 * (elastic / (elastic + start)).sqrt();
-    assert!((expected::of(&clay).error_of_stress / bound - 1.0).abs() < 1e-12);
-}
-
 /// Each gate of a problem fails with errors that it is about, and none with errors that fall as theory says.
 #[test]
 fn each_gate_reacts() {
