@@ -6,7 +6,7 @@ use proctor_scene::simulation::{RankForecast, SharingRefusal, Simulation};
 /// The shares that so many ranks would have of a simulation, as a table with a line below.
 ///
 /// # Errors
-/// Why they cannot share it.
+/// The reason for which they cannot share it.
 pub(super) fn shares(simulation: &Simulation, ranks: usize) -> Result<String, SharingRefusal> {
     let shares = simulation.forecast_ranks(ranks)?;
     let mut table = Table::new(["rank", "particles", "ghosts", "sent per step"]);

@@ -154,6 +154,7 @@ impl Cycle {
             ),
             (settings.absorbs(), "absorbing planes"),
             (self.work.grid.has_water, "pore water"),
+            (!settings.standing_waters.is_empty(), "standing water"),
         ];
         parts
             .iter()
