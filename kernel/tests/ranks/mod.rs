@@ -128,7 +128,7 @@ fn shared(
             .into_iter()
             .map(|rank| scope.spawn(run(rank)))
             .collect();
-        let joined = ranks.into_iter().map(|rank| rank.join());
+        let joined = ranks.into_iter().map(std::thread::ScopedJoinHandle::join);
         joined.map(|end| end.expect("no rank panics")).collect()
     });
     let errors = ends.iter().map(|(_, error)| error.clone()).collect();
@@ -363,7 +363,7 @@ fn a_step_sends_what_the_plan_counts() {
                     .into_iter()
                     .map(|rank| scope.spawn(step(rank)))
                     .collect();
-                let joined = all.into_iter().map(|rank| rank.join());
+                let joined = all.into_iter().map(std::thread::ScopedJoinHandle::join);
                 joined.map(|sent| sent.expect("no rank panics")).collect()
             });
             let foretold: Vec<usize> = forecast.iter().map(|share| share.sent).collect();
@@ -404,7 +404,7 @@ fn what_is_not_local_is_refused() {
     };
     let part = |scene: &Scene| match refused(scene, 2) {
         SharingRefusal::Part { part } => part,
-        other => panic!("{other}"),
+        other @ SharingRefusal::TooMany { .. } => panic!("{other}"),
     };
     let mut scene = strip(Dimension::Two);
     scene.contacts = vec![Contact {

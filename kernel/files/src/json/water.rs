@@ -124,13 +124,12 @@ impl Build<'_> {
     pub(super) fn standing_waters(&mut self, raw: &RawScene, scene: &mut Scene) {
         for (i, raw) in raw.standing_water.iter().flatten().enumerate() {
             let key = |key: &str| format!("standing_water[{i}].{key}");
-            let level = match &raw.level {
-                Some(level) => self.level(&key("level"), level),
-                None => {
-                    let accepted = "the level [m], or rows of a time [s] and a level";
-                    self.missing(key("level"), accepted);
-                    [f64::NAN, 0.0, 0.0].into()
-                }
+            let level = if let Some(level) = &raw.level {
+                self.level(&key("level"), level)
+            } else {
+                let accepted = "the level [m], or rows of a time [s] and a level";
+                self.missing(key("level"), accepted);
+                [f64::NAN, 0.0, 0.0].into()
             };
             let side = raw.side.as_ref();
             let side = side.and_then(|word| self.word(&key("side"), word, PLANES));

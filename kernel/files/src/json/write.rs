@@ -202,13 +202,12 @@ fn damping(damping: Damping) -> Value {
 fn standing_water(water: &StandingWater) -> Value {
     let level = &water.level;
     let mut keys = json!({ "density": water.density });
-    keys["level"] = match level.constant() {
-        Some([level, ..]) => level.into(),
-        None => {
-            let rows = level.times.iter().zip(&level.values);
-            rows.map(|(time, [level, ..])| json!([time, level]))
-                .collect()
-        }
+    keys["level"] = if let Some([level, ..]) = level.constant() {
+        level.into()
+    } else {
+        let rows = level.times.iter().zip(&level.values);
+        rows.map(|(time, [level, ..])| json!([time, level]))
+            .collect()
     };
     if !water.bodies.is_empty() {
         keys["body_ids"] = water.bodies.clone().into();

@@ -158,6 +158,7 @@ impl fmt::Debug for Options {
             .field("start", &self.start.as_ref().map(|start| &start.source))
             .field("conditions", &self.conditions.len())
             .field("interactions", &self.interactions.len())
+            .field("ranks", &self.ranks.as_ref().map(|ranks| ranks.count()))
             .field("memory", &self.memory)
             .finish()
     }
