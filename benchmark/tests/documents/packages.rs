@@ -24,7 +24,7 @@ fn each_package_has_a_licence_and_versions_of_what_it_needs() {
     );
     let metadata: Value = serde_json::from_slice(&output.stdout).expect("JSON");
     let packages = metadata["packages"].as_array().expect("packages");
-    assert_eq!(packages.len(), 8);
+    assert_eq!(packages.len(), 10);
     for package in packages {
         let name = &package["name"];
         assert_eq!(package["license"], "MIT OR Apache-2.0", "{name}");
