@@ -103,7 +103,7 @@ pub fn command() -> ExitCode {
 }
 
 /// Runs the command of this process on ranks that share the run of a scene, and gives its exit code. The first rank speaks; an
-/// error that it has not is told by the rank that has it.
+/// error that the first has not is printed by the rank that has it.
 #[must_use]
 pub fn command_on(ranks: &Arc<dyn Ranks>) -> u8 {
     let first = ranks.rank() == 0;

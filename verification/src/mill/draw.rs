@@ -473,7 +473,7 @@ fn steps_bear(problem: &Problem, fastest: f64, diffusivity: f64) -> Result<(), S
         let (dt, _) = problem.steps(cells);
         let k = 2.0 / problem.way(cells);
         let both = (fastest * k * dt).powi(2) + 2.0 * diffusivity * k * k * dt;
-        // What is not a number is no bound that holds.
+        // No bound holds for a value that is not a number.
         let stable = both <= 4.0;
         if !stable {
             return Err(format!(
