@@ -25,6 +25,18 @@ fn each_package_has_a_licence_and_versions_of_what_it_needs() {
     let metadata: Value = serde_json::from_slice(&output.stdout).expect("JSON");
     let packages = metadata["packages"].as_array().expect("packages");
     assert_eq!(packages.len(), 10);
+    // `cargo run` takes the one program of the default members.
+    let members = metadata["workspace_default_members"].as_array();
+    let members = members.expect("default members");
+    let default = packages
+        .iter()
+        .filter(|package| members.contains(&package["id"]));
+    let targets = default.flat_map(|package| package["targets"].as_array().expect("targets"));
+    let programs: Vec<&Value> = targets
+        .filter(|target| target["kind"] == serde_json::json!(["bin"]))
+        .map(|target| &target["name"])
+        .collect();
+    assert_eq!(programs, ["proctor"]);
     for package in packages {
         let name = &package["name"];
         assert_eq!(package["license"], "MIT OR Apache-2.0", "{name}");
