@@ -1,4 +1,4 @@
-//! What does wet clay carry below a strip footing that comes faster than its pores drain, and what one that comes slowly?
+//! Clay footing: the load that wet clay bears under a strip footing, undrained and drained.
 //!
 //! Exact loads stand in `exact/bearing.rs`. Half of a rough footing of the width B stands on ground of two phases without weight,
 //! as in *footing*: nodes press from rest to rest, soil and water alike, since the footing is shut, and their force is its load. The
