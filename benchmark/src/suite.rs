@@ -2,8 +2,10 @@
 
 use crate::measure::{Spent, Stopwatch};
 use crate::side_by_side::side_by_side;
+use proctor_kernel::ranks::{ThreadRank, of_threads};
 use proctor_scene::simulation::Options;
 use proctor_verification::case::{Case, CaseError, Rung, RungResult, Size, Verdict};
+use std::sync::Arc;
 use std::time::Duration;
 
 /// Clock time above which a run is timed once, because its time scatters little.
@@ -42,6 +44,17 @@ impl RanRung {
 }
 
 impl CaseRun {
+    /// The reason for which ranks cannot share a scene of the case, where they were to.
+    #[must_use]
+    pub fn unshared(&self) -> Option<&str> {
+        let errors = self
+            .rungs
+            .iter()
+            .filter_map(|rung| rung.solved.as_ref().err());
+        let mut unshared = errors.filter(|error| error.unshared);
+        unshared.next().map(|error| error.reason.as_str())
+    }
+
     /// True if every run was solved and every gate passed.
     #[must_use]
     pub fn passed(&self) -> bool {
@@ -72,7 +85,9 @@ pub fn run_side_by_side<E>(
     };
     let order: Vec<usize> = (0..cases.len()).collect();
     let work = |k, case: &&'static Case| {
-        run_while(case, size, &options, 1, go, &mut |share| progress(k, share))
+        run_while(case, size, &options, 1, 1, go, &mut |share| {
+            progress(k, share);
+        })
     };
     side_by_side(cases, &order, workers, go, work, each)
 }
@@ -82,12 +97,13 @@ pub fn run_side_by_side<E>(
 ///
 /// Runs of less than a second are repeated `repetitions` times, for their time: the answers are the same. If that is more than
 /// once, what is very short is run until half a second is measured, because a busy machine is slow for tenths of a second at a
-/// time.
+/// time. Where there are several ranks, they share each step of each simulation as threads of this process.
 pub fn run_while(
     case: &'static Case,
     size: Size,
     options: &Options,
     repetitions: usize,
+    ranks: usize,
     go: &dyn Fn() -> bool,
     progress: &mut dyn FnMut(f64),
 ) -> CaseRun {
@@ -104,10 +120,16 @@ pub fn run_while(
         .map(|(rung, [before, own])| {
             let mut solve = || {
                 let mut stopwatch = Stopwatch::default();
-                let work =
-                    || case.solve(&rung, options, &mut |share| progress(before + share * own));
+                let mut at = |share| progress(before + share * own);
+                let work = || {
+                    if ranks > 1 {
+                        solve_on_ranks(case, &rung, options, ranks, &mut at)
+                    } else {
+                        case.solve(&rung, options, &mut at)
+                    }
+                };
                 // With one thread a simulation stays in that of its caller.
-                let solved = if options.threads == Some(1) {
+                let solved = if options.threads == Some(1) && ranks == 1 {
                     stopwatch.time_thread(work)
                 } else {
                     stopwatch.time(work)
@@ -141,6 +163,32 @@ pub fn run_while(
         rungs,
         verdict,
     }
+}
+
+/// Solves a rung on ranks that are threads of this process: all of them do the same, and the first one reports progress.
+fn solve_on_ranks(
+    case: &Case,
+    rung: &Rung,
+    options: &Options,
+    ranks: usize,
+    progress: &mut dyn FnMut(f64),
+) -> Result<RungResult, CaseError> {
+    let on = |rank: ThreadRank| Options {
+        step_ranks: Some(Arc::new(rank)),
+        ..options.clone()
+    };
+    let mut ranks = of_threads(ranks).into_iter();
+    std::thread::scope(|scope| {
+        let first = ranks.next().map(on).unwrap_or_default();
+        for other in ranks {
+            let options = on(other);
+            scope.spawn(move || {
+                // The first rank has the same result.
+                let _ = case.solve(rung, &options, &mut |_| ());
+            });
+        }
+        case.solve(rung, &first, progress)
+    })
 }
 
 /// Share of a ladder that lies before each of its runs, and the share that the run is, as far as the cell size tells: in the

@@ -5,6 +5,10 @@
 //! that no bit depends on the number of ranks: see [`Cycle::share_among`](crate::simulation::Cycle::share_among). This file
 //! names the messages that a step needs; an engine such as MPI sends them.
 
+mod threads;
+
+pub use threads::{ThreadRank, of_threads};
+
 /// Ranks of one simulation. All of them call the same function at the same time, in the same order.
 ///
 /// A message is a list of words: numbers and the bits of floating-point numbers. An engine that loses a rank ends the process:
@@ -25,39 +29,51 @@ pub trait Ranks: Send + Sync {
     /// Sends words to the rank before and to the one after; the words that these sent here. The first and the last rank have
     /// one neighbour: what they send beyond goes nowhere, and nothing comes from there.
     fn exchange(&self, to: [Vec<u64>; 2]) -> [Vec<u64>; 2];
+
+    /// Puts the largest of each number over all ranks in its place.
+    fn join_most(&self, numbers: &mut [f64]) {
+        let words: Vec<u64> = numbers.iter().map(|number| number.to_bits()).collect();
+        for of_rank in self.all_gather(&words) {
+            for (most, word) in numbers.iter_mut().zip(of_rank) {
+                *most = most.max(f64::from_bits(word));
+            }
+        }
+    }
 }
 
 /// Words that are read one after the other.
-pub(crate) struct Words<'a>(std::slice::Iter<'a, u64>);
+pub struct Words<'a>(std::slice::Iter<'a, u64>);
 
 impl<'a> Words<'a> {
     /// Reads from the first on.
-    pub(crate) fn of(words: &'a [u64]) -> Self {
+    #[must_use]
+    pub fn of(words: &'a [u64]) -> Self {
         Self(words.iter())
     }
 
     /// The next word; zero behind the last.
-    pub(crate) fn word(&mut self) -> u64 {
+    pub fn word(&mut self) -> u64 {
         self.0.next().copied().unwrap_or(0)
     }
 
     /// The next word as a count or a place.
-    pub(crate) fn count(&mut self) -> usize {
+    pub fn count(&mut self) -> usize {
         self.word() as usize
     }
 
     /// The next word as a number.
-    pub(crate) fn number(&mut self) -> f64 {
+    pub fn number(&mut self) -> f64 {
         f64::from_bits(self.word())
     }
 
     /// The words that are left.
-    pub(crate) fn rest(&self) -> &'a [u64] {
+    #[must_use]
+    pub fn rest(&self) -> &'a [u64] {
         self.0.as_slice()
     }
 
     /// The next words.
-    pub(crate) fn take(&mut self, count: usize) -> &'a [u64] {
+    pub fn take(&mut self, count: usize) -> &'a [u64] {
         let all = self.0.as_slice();
         let (taken, rest) = all.split_at(count.min(all.len()));
         self.0 = rest.iter();

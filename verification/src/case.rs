@@ -11,15 +11,14 @@ mod rung;
 mod value;
 pub mod wrong;
 
-use std::fmt;
-
-use proctor_scene::simulation::Simulation;
+use proctor_scene::simulation::{SetupError, Simulation};
 
 pub use self::curve::{Curve, CurvePoint, Drawing};
 pub use self::run::Run;
 pub use self::rung::Rung;
 pub use self::value::{Case, Plan};
 use crate::convergence::ConvergenceTable;
+use crate::study::Failure;
 use thiserror::Error;
 
 /// The part of the ladder that is run.
@@ -288,16 +287,20 @@ pub struct CaseError {
     pub rung: String,
     /// The reason, with place and time.
     pub reason: String,
+    /// True where ranks that were to share the scene cannot.
+    pub unshared: bool,
 }
 
 impl CaseError {
     /// Sentence for a rung of the case of that name that could not be solved.
     #[must_use]
-    pub fn new(case: &'static str, rung: &Rung, reason: &dyn fmt::Display) -> Self {
+    pub fn new(case: &'static str, rung: &Rung, reason: &Failure) -> Self {
+        let setup = reason.downcast_ref();
         Self {
             case,
             rung: rung.label.clone(),
             reason: reason.to_string(),
+            unshared: matches!(setup, Some(SetupError::Ranks(_))),
         }
     }
 }

@@ -42,13 +42,15 @@ pub fn slots(config: &Config) -> Result<Vec<Slot>, SceneError> {
                 let kinds = std::iter::once(Kind::Steps)
                     .chain(stages.iter().map(|part| Kind::Stage(*part)));
                 for kind in kinds {
-                    for &threads in &config.threads {
+                    let whole = kind == Kind::Steps;
+                    for &[ranks, threads] in &config.processors(whole) {
                         let name = if choice.scales() {
                             format!("{}/{particles}", choice.name())
                         } else {
                             choice.name()
                         };
-                        slots.push(slot(choice.name(), &name, kind, scene.clone(), threads));
+                        let on = [ranks, threads];
+                        slots.push(slot(choice.name(), &name, kind, scene.clone(), on));
                     }
                 }
             }
@@ -66,7 +68,7 @@ pub fn slots(config: &Config) -> Result<Vec<Slot>, SceneError> {
                     &name,
                     kind,
                     made.scene.clone(),
-                    threads,
+                    [1, threads],
                 );
                 slot.work.initial = Some(made.initial.clone());
                 slots.push(slot);
@@ -76,7 +78,13 @@ pub fn slots(config: &Config) -> Result<Vec<Slot>, SceneError> {
     Ok(slots)
 }
 
-fn slot(scene: String, name: &str, kind: Kind, values: Scene, threads: usize) -> Slot {
+fn slot(
+    scene: String,
+    name: &str,
+    kind: Kind,
+    values: Scene,
+    [ranks, threads]: [usize; 2],
+) -> Slot {
     let method = words(&values);
     let stage = match kind {
         Kind::Steps => None,
@@ -92,6 +100,7 @@ fn slot(scene: String, name: &str, kind: Kind, values: Scene, threads: usize) ->
             kind,
             scene: values,
             initial: None,
+            ranks,
             threads,
         },
         scene,

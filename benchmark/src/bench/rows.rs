@@ -2,18 +2,28 @@
 
 use super::machine::Peaks;
 use super::plan::Slot;
-use super::sample::Sample;
+use super::sample::{Sample, Work};
 use crate::record::Row;
 use proctor_scene::simulation::Phase;
 
 /// The name of a slot in a record, which tells it from all others.
 pub(super) fn name(slot: &Slot) -> String {
-    format!("{}/threads:{}", slot.work.name, slot.work.threads)
+    let Work {
+        name,
+        ranks,
+        threads,
+        ..
+    } = &slot.work;
+    if *ranks == 1 {
+        format!("{name}/threads:{threads}")
+    } else {
+        format!("{name}/ranks:{ranks}/threads:{threads}")
+    }
 }
 
 /// A row without results.
 pub(super) fn blank(slot: &Slot, repetition: u64) -> Row {
-    let mut row = Row::sample(name(slot), repetition, slot.work.threads);
+    let mut row = Row::sample(name(slot), repetition, slot.work.processors());
     row.label("scene", slot.scene.clone());
     for (key, word) in ["shape_function", "stress_scheme_update", "transfer"]
         .into_iter()

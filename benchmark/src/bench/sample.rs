@@ -4,6 +4,7 @@ use super::counts::Least;
 use super::memory;
 use crate::measure::{Spent, Stopwatch};
 use proctor_kernel::lanes::{LaneChoice, SelectedLanes};
+use proctor_kernel::ranks::{Ranks, ThreadRank, of_threads};
 use proctor_scene::Scene;
 use proctor_scene::simulation::{InitialField, Options, Part, Phase, Simulation, StepError};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -21,7 +22,7 @@ pub enum Kind {
 
 /// Something that can be sampled.
 pub struct Work {
-    /// Name without the number of threads.
+    /// Name without the numbers of ranks and threads.
     pub name: String,
     /// Kind of work.
     pub kind: Kind,
@@ -29,7 +30,9 @@ pub struct Work {
     pub scene: Scene,
     /// State of the particles at the start, where the scene alone does not say it.
     pub initial: Option<InitialField>,
-    /// Threads.
+    /// Ranks that share the steps, threads of this process.
+    pub ranks: usize,
+    /// Threads of each rank.
     pub threads: usize,
 }
 
@@ -68,6 +71,22 @@ pub struct Sample {
 }
 
 impl Work {
+    /// Threads of all ranks.
+    #[must_use]
+    pub fn processors(&self) -> usize {
+        self.ranks * self.threads
+    }
+
+    /// Threads, and ranks where there are several, in words.
+    #[must_use]
+    pub fn on(&self) -> String {
+        if self.ranks == 1 {
+            self.threads.to_string()
+        } else {
+            format!("{} ranks of {}", self.ranks, self.threads)
+        }
+    }
+
     /// Takes a sample; `None` if `stop` was raised meanwhile.
     ///
     /// # Errors
@@ -80,9 +99,9 @@ impl Work {
             ..Options::default()
         };
         let resets = memory::reset_peak();
-        let start =
-            |options: &Options| Simulation::new(&self.scene, options).map_err(|e| e.to_string());
-        let mut simulation = start(&options)?;
+        let mut ranks = of_threads(self.ranks).into_iter().map(Arc::new);
+        let first = ranks.next().filter(|_| self.ranks > 1);
+        let mut simulation = self.start(&options, first.as_ref())?;
         // New threads would have to find their processors each time that the scene begins anew.
         options.team = Some(simulation.team());
         let particles = simulation.particles();
@@ -92,10 +111,30 @@ impl Work {
                 // The first step is not like the others: velocities and positions are at the same time.
                 SampleTime::stage(&mut simulation, part, settings.warm_up, steps, stop)
             }
-            Kind::Steps => {
-                let start = || start(&options);
+            Kind::Steps => std::thread::scope(|scope| {
+                for rank in ranks {
+                    let options = Options {
+                        team: None,
+                        ..options.clone()
+                    };
+                    scope.spawn(move || {
+                        // The first rank gives the times, the same error, and the end.
+                        let start = || self.start(&options, Some(&rank));
+                        let never = AtomicBool::new(false);
+                        start().and_then(|mut simulation| {
+                            let team = simulation.team();
+                            let options = Options {
+                                team: Some(team),
+                                ..options.clone()
+                            };
+                            let start = || self.start(&options, Some(&rank));
+                            self.steps(&mut simulation, &start, settings.warm_up, steps, &never)
+                        })
+                    });
+                }
+                let start = || self.start(&options, first.as_ref());
                 self.steps(&mut simulation, &start, settings.warm_up, steps, stop)
-            }
+            }),
         }?;
         if stop.load(Ordering::Relaxed) {
             return Ok(None);
@@ -113,6 +152,21 @@ impl Work {
             least: Least::of(plan, self.scene.weighting),
             lanes: simulation.lanes(),
         }))
+    }
+
+    /// The scene at its start, as the part of a rank where there are several.
+    fn start(
+        &self,
+        options: &Options,
+        rank: Option<&Arc<ThreadRank>>,
+    ) -> Result<Simulation, String> {
+        let simulation = Simulation::new(&self.scene, options);
+        let mut simulation = simulation.map_err(|error| error.to_string())?;
+        if let Some(rank) = rank {
+            let shared = simulation.share_among(Arc::clone(rank) as Arc<dyn Ranks>);
+            shared.map_err(|refusal| refusal.to_string())?;
+        }
+        Ok(simulation)
     }
 
     /// Whole steps. A scene that is over begins anew, outside the clock.

@@ -82,7 +82,10 @@ impl Session {
                 if !failed[i] {
                     match slot.work.sample(&self.settings, stop) {
                         Ok(Some(sample)) => {
-                            let peaks = self.peaks.iter().find(|p| p.threads == slot.work.threads);
+                            let peaks = self
+                                .peaks
+                                .iter()
+                                .find(|p| p.threads == slot.work.processors());
                             record.push(rows::row(slot, repetition, &sample, peaks));
                         }
                         Ok(None) => return,
@@ -145,7 +148,11 @@ impl Session {
     fn measure_peaks(&mut self, record: &mut Record, stop: &AtomicBool) {
         let lanes =
             SelectedLanes::new(self.settings.lanes).unwrap_or_else(|_| SelectedLanes::any());
-        let mut counts: Vec<usize> = self.slots.iter().map(|slot| slot.work.threads).collect();
+        let mut counts: Vec<usize> = self
+            .slots
+            .iter()
+            .map(|slot| slot.work.processors())
+            .collect();
         counts.sort_unstable();
         counts.dedup();
         for threads in counts {

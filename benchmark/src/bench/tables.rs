@@ -93,11 +93,12 @@ impl<'a> Report<'a> {
                 };
                 let wall = median(&samples.all("wall_ns_per_particle_step"));
                 let efficiency = wall.map_or_else(String::new, |wall| self.efficiency(slot, wall));
-                match (slot.work.threads, efficiency.as_str()) {
+                let on = slot.work.on();
+                match (slot.work.processors(), efficiency.as_str()) {
                     _ if of_scene.len() == 1 => ns(cpu),
                     (1, _) => format!("{} on 1 thread", ns(cpu)),
-                    (threads, "") => format!("{} on {threads}", ns(cpu)),
-                    (threads, share) => format!("{} on {threads} (efficiency {share})", ns(cpu)),
+                    (_, "") => format!("{} on {on}", ns(cpu)),
+                    (_, share) => format!("{} on {on} (efficiency {share})", ns(cpu)),
                 }
             })
             .collect();
@@ -113,14 +114,19 @@ impl<'a> Report<'a> {
         slots.filter(|slot| slot.stage.is_none()).collect()
     }
 
-    /// Time on one thread over time on n threads and n, in percent, where one thread was measured too.
+    /// Time on one thread over time on n threads, of all ranks, and n, in percent, where one thread was measured too.
     fn efficiency(&self, slot: &Slot, wall: f64) -> String {
         let one = self.session.slots.iter().find(|other| {
-            other.work.name == slot.work.name && other.work.threads == 1 && slot.work.threads > 1
+            other.work.name == slot.work.name
+                && other.work.processors() == 1
+                && slot.work.processors() > 1
         });
         one.and_then(|one| median(&self.samples(one).all("wall_ns_per_particle_step")))
             .map_or_else(String::new, |one| {
-                format!("{:.0} %", 100.0 * one / wall / slot.work.threads as f64)
+                format!(
+                    "{:.0} %",
+                    100.0 * one / wall / slot.work.processors() as f64
+                )
             })
     }
 
@@ -159,7 +165,7 @@ impl<'a> Report<'a> {
                 slot.scene.clone(),
                 samples.shown("particles", |n| grouped(n as u64)),
                 method,
-                slot.work.threads.to_string(),
+                slot.work.on(),
             ];
             if let Some(wall) = Summary::of(&wall) {
                 line.extend([
@@ -195,7 +201,7 @@ impl<'a> Report<'a> {
                 slot.scene.clone(),
                 samples.shown("particles", |n| grouped(n as u64)),
                 slot.method.join(" "),
-                slot.work.threads.to_string(),
+                slot.work.on(),
             ];
             line.extend(Phase::ALL.map(|phase| samples.shown(&format!("ns_{}", phase.name()), ns)));
             table.push(line);
@@ -226,7 +232,7 @@ impl<'a> Report<'a> {
                 slot.scene.clone(),
                 samples.shown("particles", |n| grouped(n as u64)),
                 slot.method.join(" "),
-                slot.work.threads.to_string(),
+                slot.work.on(),
                 samples.shown("bytes_per_particle", |n| format!("{n} B")),
                 samples.shown("node_bytes", |n| bytes(n as u64)),
                 samples.shown("peak_rss_bytes", |n| bytes(n as u64)),

@@ -165,7 +165,7 @@ mod tests {
             .take(runs)
             .map(|(i, rung)| RanRung {
                 solved: if fails && i == last {
-                    Err(CaseError::new(case.name(), &rung, &"a reason"))
+                    Err(CaseError::new(case.name(), &rung, &"a reason".into()))
                 } else {
                     Ok(solved())
                 },

@@ -46,6 +46,9 @@ const INCOMPLETE: &str = "incomplete";
 /// Key of the context that says which ladders of the cases were run.
 const LADDERS: &str = "ladders";
 
+/// Key of the context that says how many ranks shared each step.
+const RANKS: &str = "ranks";
+
 /// A record of one invocation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Record {
@@ -80,6 +83,13 @@ impl Record {
             Size::Full => "full",
         };
         self.context[LADDERS] = word.into();
+    }
+
+    /// Names the ranks that shared each step; one is not named.
+    pub fn set_ranks(&mut self, ranks: usize) {
+        if ranks > 1 {
+            self.context[RANKS] = ranks.into();
+        }
     }
 
     /// Ladders of the cases that were run, `quick` or `full`; none for records of something else.

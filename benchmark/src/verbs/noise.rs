@@ -126,7 +126,8 @@ fn measured(
             for turn in 0..SIDES {
                 let one = &mut measured[(turn + pass as usize) % SIDES];
                 let mut each = |share| progress.at((f64::from(done) + share) / runs as f64);
-                let ran = suite::run_while(case, Size::Quick, options, REPETITIONS, &go, &mut each);
+                let ran =
+                    suite::run_while(case, Size::Quick, options, REPETITIONS, 1, &go, &mut each);
                 one.push_case(&ran, threads);
                 if interrupt.raised() {
                     return sides;

@@ -35,6 +35,7 @@ use std::time::Instant;
 #[derive(Args)]
 #[command(after_help = "Example: proctor verify boussinesq base-acceleration\n\
     A short ladder, as record: proctor verify --quick --json record.json\n\
+    On two ranks: proctor verify --quick --ranks 2\n\
     After Ctrl-C, or a case that failed: proctor verify --resume record.json\n\
     A thousand random scenes: proctor verify --generated 1000 --seed 7\n\
     A hundred manufactured solutions: proctor verify mill --count 100 --seed 7\n\
@@ -89,6 +90,10 @@ pub struct Verify {
     /// [default: target/proctor/generated or target/proctor/mill]
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
+    /// Share each step of each case among N ranks, threads of this process: the numbers must be those of one. Cases that ranks
+    /// do not share are left out, with the reason
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..), conflicts_with_all = ["generated", "resume"])]
+    ranks: u16,
     #[command(flatten)]
     amount: Amount,
     #[command(flatten)]
@@ -239,6 +244,7 @@ impl Verify {
     /// Work of the verb, and the record that it goes into.
     fn task(&self, options: &Options, chosen: &[&'static Case]) -> Result<Task, Failure> {
         let mut record = Record::new(options);
+        record.set_ranks(self.ranks.into());
         let all = case::all().len();
         if let Some(path) = &self.resume {
             let earlier = Earlier::read(path)?;
@@ -308,10 +314,16 @@ impl Verify {
         let whole = Whole::new("verify", expected.collect(), 1);
         let threads = options.threads.unwrap_or(BY_SCENE);
         let mut all: Vec<CaseRun> = vec![];
+        let mut left_out: Vec<(&str, String)> = vec![];
         for (number, &case) in cases.iter().enumerate() {
             let go = || !interrupt.raised();
             let mut at = |share| whole.at(number, share);
-            let ran = suite::run_while(case, size, options, self.repetitions.into(), &go, &mut at);
+            let (repetitions, ranks) = (self.repetitions.into(), self.ranks.into());
+            let ran = suite::run_while(case, size, options, repetitions, ranks, &go, &mut at);
+            if let Some(reason) = ran.unshared() {
+                left_out.push((case.name(), reason.to_owned()));
+                continue;
+            }
             record.push_case(&ran, threads);
             // What was done so far is there, whatever happens to this process.
             write(&record)?;
@@ -323,10 +335,13 @@ impl Verify {
             all.push(ran);
         }
         drop(whole);
+        for (name, reason) in &left_out {
+            writeln!(out, "left out: {name}: {reason}")?;
+        }
         let verdict = Verdict {
             cases: &all,
             kept,
-            asked: cases.len() + kept.cases,
+            asked: cases.len() - left_out.len() + kept.cases,
             also_failed: &[],
             worse: false,
             interrupted: interrupt.raised(),
@@ -334,7 +349,10 @@ impl Verify {
             took: begun.elapsed(),
         };
         verdict.line(paint, out)?;
-        let missing = |case: &&&Case| record.case_state(case, size) == CaseState::Missing;
+        let missing = |case: &&&Case| {
+            let left_out = left_out.iter().any(|(name, _)| *name == case.name());
+            !left_out && record.case_state(case, size) == CaseState::Missing
+        };
         let incomplete = interrupt.raised() || asked.iter().any(|case| missing(&case));
         record.set_incomplete(incomplete);
         record.sort_cases(&earlier::names());

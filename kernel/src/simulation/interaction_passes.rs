@@ -3,6 +3,7 @@
 use super::Cycle;
 use super::interactions::{BalanceTraits, BodyList, Interaction};
 use super::phase::Phase;
+use super::ranks::Share;
 use crate::simulation::context::{NodalConditions, Remap};
 use crate::simulation::fields::Grid;
 use crate::simulation::model::Model;
@@ -14,7 +15,12 @@ use std::any::Any;
 
 impl<'a> StepView<'a> {
     /// View of a simulation in parts.
-    pub(super) fn of(model: &'a Model, state: &'a State, grid: &'a Grid) -> Self {
+    pub(super) fn of(
+        model: &'a Model,
+        state: &'a State,
+        grid: &'a Grid,
+        share: Option<&'a Share>,
+    ) -> Self {
         Self {
             settings: &model.settings,
             bodies: &model.bodies,
@@ -27,6 +33,7 @@ impl<'a> StepView<'a> {
             stencil: state.stencil,
             travel: state.travel,
             mesh_shift: state.mesh_shift,
+            ranks: share.map(Share::ranks),
         }
     }
 }
@@ -38,6 +45,7 @@ impl<'a> StepUpdate<'a> {
         state: &'a mut State,
         grid: &'a mut Grid,
         sums: &'a mut PlaneSums,
+        share: Option<&'a Share>,
     ) -> Self {
         Self {
             grid,
@@ -53,6 +61,7 @@ impl<'a> StepUpdate<'a> {
             stencil: state.stencil,
             travel: state.travel,
             mesh_shift: state.mesh_shift,
+            ranks: share.map(Share::ranks),
         }
     }
 }
@@ -85,12 +94,14 @@ impl Cycle {
     /// The view of this step.
     #[must_use]
     pub fn view(&self) -> StepView<'_> {
-        StepView::of(&self.model, &self.state, &self.work.grid)
+        let share = self.work.share.as_ref();
+        StepView::of(&self.model, &self.state, &self.work.grid, share)
     }
 
     /// Calls `act` for each interaction with the view of this step.
     pub(super) fn each(&mut self, mut act: impl FnMut(&mut dyn Interaction, &StepView<'_>)) {
-        let view = StepView::of(&self.model, &self.state, &self.work.grid);
+        let share = self.work.share.as_ref();
+        let view = StepView::of(&self.model, &self.state, &self.work.grid, share);
         for one in &mut self.work.interactions {
             act(&mut **one, &view);
         }
@@ -177,9 +188,10 @@ impl Cycle {
             grid,
             interactions,
             sums,
+            share,
             ..
         } = &mut self.work;
-        let mut update = StepUpdate::of(&self.model, &mut self.state, grid, sums);
+        let mut update = StepUpdate::of(&self.model, &mut self.state, grid, sums, share.as_ref());
         let all = interactions.iter_mut();
         let touching = all
             .map(|one| one.settle(&mut update, nodal))
@@ -201,9 +213,10 @@ impl Cycle {
             grid,
             interactions,
             sums,
+            share,
             ..
         } = &mut self.work;
-        let mut update = StepUpdate::of(&self.model, &mut self.state, grid, sums);
+        let mut update = StepUpdate::of(&self.model, &mut self.state, grid, sums, share.as_ref());
         let mut all = interactions.iter_mut();
         all.try_for_each(|one| one.settle_remapped(&mut update, nodal, remap))
             .map_err(|error| self.error(StepErrorKind::Interaction(error)))

@@ -138,6 +138,15 @@ pub trait Interaction: InteractionClone + Any + Send + Sync {
         BalanceTraits::default()
     }
 
+    /// The part of a scene that this is, for a refusal, where ranks cannot share it; `None` where they can.
+    ///
+    /// Ranks can share an interaction that acts on the nodes of a slab by the fields of that slab, and by particles that reach
+    /// these nodes. Anything else that it finds must be the same on all ranks: it joins that through [`StepView::ranks`] in
+    /// [`Interaction::sorted`], [`Interaction::fields_given`] and [`Interaction::settle`], which all ranks call at the same time.
+    fn not_local(&self) -> Option<&'static str> {
+        Some("an interaction of a program's own")
+    }
+
     /// Gives the force of each contact at a node in the last step, for output.
     fn nodal_forces(&self, _grid: &Grid, _give: &mut dyn FnMut(NodalForce)) {}
 

@@ -99,8 +99,12 @@ impl Cycle {
             at.0 = std::array::from_fn(|axis| at.0[axis] + one.force[axis]);
             at.1 = at.1.min(one.gap);
         };
-        for one in self.interactions() {
-            one.nodal_forces(&self.work.grid, &mut add);
+        if let Some(forces) = &self.work.forces_of_ranks {
+            forces.iter().copied().for_each(&mut add);
+        } else {
+            for one in self.interactions() {
+                one.nodal_forces(&self.work.grid, &mut add);
+            }
         }
         found
     }

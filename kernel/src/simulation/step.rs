@@ -41,7 +41,7 @@ impl Cycle {
         if let Some(error) = &self.work.failed {
             return Err(error.clone());
         }
-        let result = self.led(|simulation| simulation.cycle(stop));
+        let result = self.led(|all| all.step_of_rank(|simulation| simulation.cycle(stop)));
         if let Err(error) = &result
             && error.kind.breaks_particles()
         {

@@ -5,6 +5,7 @@ use crate::lanes::SelectedLanes;
 use crate::layout::Layout;
 use crate::model::{CycleSettings, Vector};
 use crate::particles::ParticleSet;
+use crate::ranks::Ranks;
 use crate::simulation::fields::Grid;
 use crate::simulation::values::{BodyRun, Clock, Event, EventKind, ParticleAt};
 use crate::stage::g2p::ParticleMaxima;
@@ -36,6 +37,8 @@ pub struct StepView<'a> {
     pub travel: f64,
     /// Displacement of the mesh since the start \[m\].
     pub mesh_shift: Vector,
+    /// Ranks that share the simulation, if any do: this one then has a part of the particles, and of the planes of nodes.
+    pub ranks: Option<&'a dyn Ranks>,
 }
 
 impl<'a> StepView<'a> {
@@ -109,6 +112,7 @@ pub struct StepUpdate<'a> {
     pub(super) stencil: usize,
     pub(super) travel: f64,
     pub(super) mesh_shift: Vector,
+    pub(super) ranks: Option<&'a dyn Ranks>,
 }
 
 impl StepUpdate<'_> {
@@ -127,6 +131,7 @@ impl StepUpdate<'_> {
             stencil: self.stencil,
             travel: self.travel,
             mesh_shift: self.mesh_shift,
+            ranks: self.ranks,
         }
     }
 

@@ -8,7 +8,7 @@ use super::ranks::Share;
 use super::tension::TensionWatch;
 use crate::simulation::context::NodalConditions;
 use crate::simulation::fields::Grid;
-use crate::simulation::values::StepError;
+use crate::simulation::values::{NodalForce, StepError};
 use crate::stage::g2p::ParticleMaxima;
 use crate::stage::solve::{EmptyNode, PlaneSums};
 
@@ -41,6 +41,10 @@ pub(crate) struct WorkState {
     pub(crate) tension: Option<TensionWatch>,
     /// The part of this process, where ranks share the simulation.
     pub(crate) share: Option<Share>,
+    /// The part of this process in the next step, where ranks share each step.
+    pub(crate) between_steps: Option<Share>,
+    /// Forces of contact at the nodes of all ranks, while the first rank has the whole simulation.
+    pub(crate) forces_of_ranks: Option<Vec<NodalForce>>,
 }
 
 impl WorkState {
@@ -61,6 +65,8 @@ impl WorkState {
             momentum: None,
             tension: None,
             share: None,
+            between_steps: None,
+            forces_of_ranks: None,
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Bodies that may meet before the next sort: the broad phase of contact on the grid.
 
 use proctor_contact::pairs::Pair;
-use proctor_contact::pairs::broad::{near, reach};
+use proctor_contact::pairs::broad::{BodyReach, near};
 use proctor_kernel::grid::{ActiveRows, GridShape};
 use proctor_kernel::lanes::SelectedLanes;
 use proctor_kernel::layout::{Layout, Optional};
@@ -56,9 +56,10 @@ proptest! {
         stencil in 3_usize..=4,
     ) {
         let shape = shape();
-        let set = body(at, &shape, stencil);
+        let sets = [body(at, &shape, stencil)];
+        let mut reach = BodyReach::of_sets(&sets, &shape, stencil);
         for axis in 0..3 {
-            let (first, last) = reach(&set, &shape, stencil, axis);
+            let (first, last) = reach.of(0, axis);
             let base = base_node(inside(at[axis] + way[axis]), stencil);
             prop_assert!(first <= base, "axis {axis}: from {first}, moved to {base}");
             let end = base + stencil as f64 - 1.0;
@@ -90,7 +91,7 @@ proptest! {
             corrects_distance: true,
         };
         let mut found = vec![];
-        near(&[pair], &sets, &shape, stencil, &mut found);
+        near(&[pair], &mut BodyReach::of_sets(&sets, &shape, stencil), &mut found);
         let said = found[0];
         // Distance of the base nodes along each axis: they share nodes where it is less than the stencil everywhere.
         let between = |ways: [[f64; 3]; 2]| -> [f64; 3] {

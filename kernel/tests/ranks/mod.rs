@@ -1,5 +1,6 @@
 //! Ranks that share a simulation: state, sums, events and errors are those of one process, bit by bit.
 
+mod contact;
 mod threads;
 
 use crate::common::{
@@ -10,8 +11,8 @@ use proctor_kernel::simulation::{Energy, SavedState, SharingRefusal, StepError, 
 use proctor_laws::{NeoHookean, Newtonian, VonMises};
 use proctor_scene::simulation::{InitialField, InitialState, Options, Simulation};
 use proctor_scene::{
-    BaseMotion, BoxLoad, Contact, ContactNormal, Damping, Dimension, DomainUpdate, History, Motion,
-    Outside, PlaneCondition, Scene, StressScheme, Traction, Weighting,
+    BaseMotion, BoxLoad, Damping, Dimension, DomainUpdate, History, Motion, Outside,
+    PlaneCondition, Scene, StressScheme, Traction, Weighting,
 };
 use std::sync::Arc;
 use threads::Meddle;
@@ -23,6 +24,8 @@ struct End {
     energy: Energy,
     hash: u64,
     nodes: usize,
+    /// Bits of force and gap of contact at the nodes where a force acts.
+    touching: Vec<[u64; 4]>,
     sorts: usize,
     error: Option<StepError>,
 }
@@ -81,9 +84,20 @@ fn end(simulation: &mut Simulation, (sorts, error): (usize, Option<StepError>)) 
         energy,
         hash: simulation.state_hash(),
         nodes: simulation.nodes_with_mass(),
+        touching: touching(simulation),
         sorts,
         error,
     }
+}
+
+fn touching(simulation: &Simulation) -> Vec<[u64; 4]> {
+    let nodes = simulation.node_values().into_iter();
+    let touched = nodes.filter(|node| node.contact_force != [0.0; 3]);
+    let numbers = touched.map(|node| {
+        let [x, y, z] = node.contact_force;
+        [x, y, z, node.contact_gap].map(f64::to_bits)
+    });
+    numbers.collect()
 }
 
 /// The end of a scene on one process.
@@ -155,6 +169,9 @@ fn compare_from(scene: &Scene, steps: usize, initial: &InitialField) -> End {
             "{team:?} {errors:?}"
         );
         assert_eq!(found.hash, expected.hash, "{team:?} {scene:?}");
+        assert_eq!(found.energy, expected.energy, "{team:?}");
+        assert_eq!(found.nodes, expected.nodes, "{team:?}");
+        assert_eq!(found.touching, expected.touching, "{team:?}");
         assert!(found == expected, "{team:?} {scene:?}");
     }
     expected
@@ -407,15 +424,8 @@ fn what_is_not_local_is_refused() {
         other @ SharingRefusal::TooMany { .. } => panic!("{other}"),
     };
     let mut scene = strip(Dimension::Two);
-    scene.contacts = vec![Contact {
-        name: "pair".into(),
-        id: 1,
-        friction: 0.3,
-        master: 1,
-        slave: 2,
-        normal: ContactNormal::Collinear,
-    }];
-    assert!(part(&scene).contains("contact"));
+    scene.mesh.planes[0][1] = PlaneCondition::Absorbing;
+    assert_eq!(part(&scene), "absorbing planes");
     let scene = strip(Dimension::Two);
     let error = refused(&scene, 13);
     assert_eq!(

@@ -17,6 +17,8 @@ const PARTICLES: [usize; 2] = [64_000, 8_000];
 const PARTICLE_STEPS: [u64; 2] = [2_500_000, 250_000];
 /// Fewest repetitions: a spread needs three.
 const FEWEST_REPETITIONS: usize = 3;
+/// Most ranks of one process: each has threads of its own.
+const MOST_RANKS: usize = 256;
 /// Most repetitions, and steps before the clock starts.
 const MOST_REPETITIONS: usize = 1_000_000;
 /// Bytes that a particle of a built-in scene needs with its share of the mesh, on the low side: what does not fit by this
@@ -86,6 +88,17 @@ impl<'a> Check<'a> {
         if !asked.threads.is_empty() {
             threads.clone_from(&asked.threads);
         }
+        let ranks = raw.ranks.as_ref().map_or_else(
+            || vec![1],
+            |list| {
+                let lists = [("ranks", Some(list)), ("ranks", None)];
+                self.counts("ranks", lists, ("ranks", None), &[1])
+            },
+        );
+        for many in ranks.iter().filter(|&&ranks| ranks > MOST_RANKS) {
+            let accepted = format!("at most {MOST_RANKS} ranks in one process");
+            self.add("ranks", many.to_string(), accepted);
+        }
         let memory = Memory::of_machine();
         for count in &particles {
             let needed = *count as f64 * PARTICLE;
@@ -120,6 +133,7 @@ impl<'a> Check<'a> {
         Config {
             particles,
             threads,
+            ranks,
             methods: self.methods(raw, &scenes),
             repetitions: asked
                 .repetitions

@@ -118,8 +118,10 @@ pub struct Config {
     pub scenes: Vec<SceneChoice>,
     /// Wanted numbers of particles.
     pub particles: Vec<usize>,
-    /// Numbers of threads.
+    /// Numbers of threads, of each rank.
     pub threads: Vec<usize>,
+    /// Numbers of ranks that share whole steps.
+    pub ranks: Vec<usize>,
     /// Combinations of weighting function, stress scheme and transfer.
     pub methods: Vec<Method>,
     /// Samples of each combination.
@@ -143,6 +145,19 @@ pub struct Config {
 }
 
 impl Config {
+    /// Ranks and threads of each, for whole steps or for single stages, which one rank plays.
+    #[must_use]
+    pub fn processors(&self, whole: bool) -> Vec<[usize; 2]> {
+        let ranks: &[usize] = if whole { &self.ranks } else { &[1] };
+        let on = |ranks: &usize| {
+            self.threads
+                .iter()
+                .map(|threads| [*ranks, *threads])
+                .collect::<Vec<_>>()
+        };
+        ranks.iter().flat_map(on).collect()
+    }
+
     /// Reads a configuration file. One that does not exist takes all defaults, as in the manual, with a warning.
     ///
     /// # Errors

@@ -25,6 +25,8 @@ pub(super) struct RawConfig {
     /// Wanted numbers of particles of built-in scenes.
     pub particles: Option<OneOrMany<usize>>,
     pub threads: Option<OneOrMany<usize>>,
+    /// Numbers of ranks that share whole steps, as threads of this process.
+    pub ranks: Option<OneOrMany<usize>>,
     pub shape_function: Option<OneOrMany<String>>,
     pub stress_scheme_update: Option<OneOrMany<String>>,
     pub transfer: Option<OneOrMany<String>>,

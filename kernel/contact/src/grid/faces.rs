@@ -4,10 +4,10 @@
 //! Both are there for exactly the bodies that have a field because of this contact.
 
 use crate::pairs::Pair;
+use crate::pairs::broad::BodyReach;
 use crate::pairs::interface::Interface;
 use proctor_kernel::grid::{GridShape, Line, Nodes};
-use proctor_kernel::particles::ParticleSet;
-use proctor_kernel::simulation::{Grid, OwnLines, Owner, Slab};
+use proctor_kernel::simulation::{Grid, OwnLines, Owner, Slab, StepView};
 use proctor_kernel::stage::solve::Planes;
 use smallvec::SmallVec;
 use std::ops::Range;
@@ -93,9 +93,8 @@ impl Faces {
         bodies: &[usize],
         pairs: &[Pair],
         near: &[bool],
-        sets: &[ParticleSet],
-        grid: &Grid,
-        (stencil, interfaces): (usize, &mut Vec<Interface>),
+        view: &StepView<'_>,
+        interfaces: &mut Vec<Interface>,
     ) {
         let known = self.list.iter().map(|face| face.body);
         if !known.eq(bodies.iter().copied()) {
@@ -107,7 +106,7 @@ impl Faces {
                 let known = old.iter().position(|(face, _)| face.body == body);
                 let (face, interface) = known.map_or_else(
                     || {
-                        let lines = Nodes::new(grid.shape.nodes.iter().product());
+                        let lines = Nodes::new(view.grid.shape.nodes.iter().product());
                         (Face { body, lines }, Interface::default())
                     },
                     |at| old.swap_remove(at),
@@ -116,8 +115,9 @@ impl Faces {
                 interfaces.push(interface);
             }
         }
+        let mut reach = BodyReach::new(view);
         for (face, interface) in self.list.iter().zip(interfaces) {
-            interface.find(face.body, pairs, near, sets, &grid.shape, stencil);
+            interface.find(face.body, pairs, near, (view, &mut reach));
         }
     }
 
@@ -129,7 +129,10 @@ impl Faces {
         let per_plane = grid.shape.plane_nodes();
         let list = self.list.iter_mut();
         let mut rest: SmallVec<[_; 4]> = list
-            .map(|face| (face.body, face.lines.lines_mut()))
+            .map(|face| {
+                let before = grid.slabs[0].start * per_plane;
+                (face.body, &mut face.lines.lines_mut()[before..])
+            })
             .collect();
         grid.slabs.iter().map(move |range| {
             let faces = rest.iter_mut().map(|(body, rest)| OwnLines {

@@ -5,15 +5,20 @@
 
 mod bonds;
 pub(crate) mod contact_nodes;
+pub(crate) mod contact_sums;
 pub(crate) mod faces;
 mod plan_entries;
 mod slab_contact;
 
 use crate::kinds::{ContactType, InteractionResult};
+use crate::pairs::broad::BodyReach;
 use crate::pairs::overlap::overlap;
 use crate::pairs::{Pair, Tunnelling, broad};
 use crate::values::{Contact, ContactValues, PairValues};
-use contact_nodes::{ContactNodes, ContactResult, DEEP, NodeLists, NodeTunnelling, Overlap};
+use contact_nodes::{
+    ContactNodes, ContactResult, ContactStatuses, DEEP, NodeLists, NodeTunnelling,
+};
+use contact_sums::{ContactSums, statuses_of_all};
 use faces::Faces;
 use proctor_geometry::memory::Memory;
 use proctor_kernel::model::{CycleSettings, StressScheme, Vector};
@@ -42,10 +47,12 @@ pub struct GridContact {
     pub(crate) faces: Faces,
     /// Nodes where bodies met and the action of contact there, per slab, as of the last equation of motion.
     pub(crate) met: Vec<SlabContactState>,
-    /// Force on the slave of each pair in the last step \[N\].
-    pub(crate) forces: Vec<Vector>,
+    /// Forces of pairs in the last step, and what else all slabs give together.
+    sums: ContactSums,
     /// Depth of the last overlap of each pair that became an event \[m\].
     noted: Vec<f64>,
+    /// Contact statuses at the nodes of all ranks, where a sort may have given planes to another rank since (USF).
+    carried: Option<ContactStatuses>,
 }
 
 /// Contact on one slab: the contact nodes, and the result there.
@@ -86,7 +93,7 @@ impl GridContact {
                 near: vec![false; count],
                 ..SharedContact::default()
             },
-            forces: vec![[0.0; 3]; count],
+            sums: ContactSums::of_pairs(count),
             noted: vec![0.0; count],
             ..Self::default()
         }
@@ -107,7 +114,7 @@ impl GridContact {
 
     /// Adds the forces of its pairs on a body in the last step to a sum \[N\].
     pub fn add_force_on(&self, set: usize, sum: &mut Vector) {
-        for (pair, force) in self.shared.pairs.iter().zip(&self.forces) {
+        for (pair, force) in self.shared.pairs.iter().zip(&self.sums.forces) {
             for axis in 0..3 {
                 if pair.slave == set {
                     sum[axis] += force[axis];
@@ -133,16 +140,7 @@ impl GridContact {
                 .map(|k| shape.cell[k])
                 .fold(f64::INFINITY, f64::min);
         for (index, pair) in self.shared.pairs.iter().enumerate() {
-            let mut deepest: Option<Overlap> = None;
-            let of_slabs = self
-                .met
-                .iter()
-                .filter_map(|met| met.done.overlaps.get(index));
-            for found in of_slabs.copied().flatten() {
-                if deepest.is_none_or(|deepest| found.depth > deepest.depth) {
-                    deepest = Some(found);
-                }
-            }
+            let deepest = self.sums.overlaps[index];
             let Some(found) = deepest.filter(|found| found.depth > self.noted[index] + least)
             else {
                 continue;
@@ -156,6 +154,13 @@ impl GridContact {
                 depth: found.depth,
             });
         }
+    }
+
+    /// Keeps the contact statuses of this step before a sort between the two mappings of USF.
+    fn keep_statuses(&mut self, view: &StepView<'_>) {
+        let usf = view.settings.scheme == StressScheme::Usf;
+        let ranks = view.ranks.filter(|_| usf);
+        self.carried = ranks.map(|ranks| statuses_of_all(&self.met, ranks));
     }
 
     fn tunnelling(&self, at: NodeTunnelling, view: &StepView<'_>) -> Tunnelling {
@@ -200,15 +205,13 @@ impl Interaction for GridContact {
     }
 
     fn sorted(&mut self, view: &StepView<'_>) {
-        let (shape, stencil) = (&view.grid.shape, view.stencil);
-        let sets = &view.particles;
-        broad::near(
-            &self.shared.pairs,
-            sets,
-            shape,
-            stencil,
-            &mut self.shared.near,
-        );
+        self.keep_statuses(view);
+        let mut reach = BodyReach::new(view);
+        broad::near(&self.shared.pairs, &mut reach, &mut self.shared.near);
+    }
+
+    fn not_local(&self) -> Option<&'static str> {
+        None
     }
 
     /// Bodies of near pairs.
@@ -242,9 +245,8 @@ impl Interaction for GridContact {
             &bodies,
             &self.shared.pairs,
             &self.shared.near,
-            view.particles,
-            view.grid,
-            (view.stencil, &mut self.shared.interfaces),
+            view,
+            &mut self.shared.interfaces,
         );
     }
 
@@ -261,7 +263,7 @@ impl Interaction for GridContact {
             .pairs
             .retain(|pair| pair.by_shape || !pair.bonded);
         self.shared.near.resize(self.shared.pairs.len(), false);
-        self.forces.resize(self.shared.pairs.len(), [0.0; 3]);
+        self.sums = ContactSums::of_pairs(self.shared.pairs.len());
     }
 
     /// Refuses a step in which the bodies of a pair could approach by more than a cell: they could pass through each
@@ -348,28 +350,13 @@ impl Interaction for GridContact {
         if self.faces.list.is_empty() {
             self.met.clear();
         }
-        self.forces.fill([0.0; 3]);
-        let mut nodes = 0;
-        let mut worst: Option<NodeTunnelling> = None;
-        for met in &self.met {
-            for of_plane in met.done.forces.chunks_exact(self.shared.pairs.len()) {
-                for (sum, force) in self.forces.iter_mut().zip(of_plane) {
-                    for axis in 0..3 {
-                        sum[axis] += force[axis];
-                    }
-                }
-            }
-            nodes += met.done.nodes;
-            if let Some(at) = met.done.tunnelling {
-                let worse =
-                    worst.is_none_or(|w| at.approach * w.distance > w.approach * at.distance);
-                worst = if worse { Some(at) } else { worst };
-            }
-        }
+        let ranks = update.view().ranks.filter(|_| !self.faces.list.is_empty());
+        self.sums.sum(self.shared.pairs.len(), &self.met, ranks);
         self.note_overlaps(update);
-        worst.map_or(Ok(nodes), |at| {
-            Err(self.tunnelling(at, &update.view()).into())
-        })
+        match self.sums.tunnelling {
+            None => Ok(self.sums.nodes),
+            Some(at) => Err(self.tunnelling(at, &update.view()).into()),
+        }
     }
 
     fn save(&self) -> SavedArrays {
@@ -382,7 +369,7 @@ impl Interaction for GridContact {
             ("near pairs".into(), near.collect()),
             (
                 "forces of pairs".into(),
-                self.forces.as_flattened().to_vec(),
+                self.sums.forces.as_flattened().to_vec(),
             ),
             (
                 "depths of overlaps that became events".into(),
@@ -393,7 +380,7 @@ impl Interaction for GridContact {
 
     fn restore(&mut self, saved: &SavedArrays) {
         self.shared.near = saved[0].1.iter().map(|&near| near != 0.0).collect();
-        self.forces = saved[1].1.as_chunks().0.to_vec();
+        self.sums.forces = saved[1].1.as_chunks().0.to_vec();
         self.noted.clone_from(&saved[2].1);
     }
 }

@@ -23,18 +23,25 @@ impl GridContact {
             return;
         }
         match visit {
-            VelocityMapping::Trial => self
-                .met
-                .resize_with(grid.slabs.len(), SlabContactState::default),
+            VelocityMapping::Trial => {
+                self.carried = None;
+                self.met
+                    .resize_with(grid.slabs.len(), SlabContactState::default);
+            }
             VelocityMapping::Remap(Remap::OldPositions) => {}
             VelocityMapping::Remap(Remap::NewPositions) => {
                 self.shared.states.clear();
-                for met in &self.met {
-                    self.shared.states.extend(met.meetings.states());
+                if let Some(carried) = self.carried.take() {
+                    self.shared.states = carried;
+                } else {
+                    let met = self.met.iter();
+                    let states = met.flat_map(|met| met.meetings.states());
+                    self.shared.states.extend(states);
                 }
-                // Particles may have been sorted since.
-                self.met
-                    .resize_with(grid.slabs.len(), SlabContactState::default);
+                // Particles may have been sorted since, and the planes cut into other slabs. What contact did in this step lies in
+                // the old ones until the next.
+                let slabs = self.met.len().max(grid.slabs.len());
+                self.met.resize_with(slabs, SlabContactState::default);
             }
         }
         for (lines, met) in self.faces.in_slabs(grid).zip(&mut self.met) {

@@ -10,6 +10,10 @@ use proctor_kernel::simulation::{
 };
 
 impl Interaction for MortarState {
+    fn not_local(&self) -> Option<&'static str> {
+        Some("mortar contact")
+    }
+
     /// Bodies whose boundary moves with a velocity field of their own.
     fn owners(&self) -> BodyList {
         let plane = self.plane.surfaces.iter().filter_map(MovingBoundary::body);

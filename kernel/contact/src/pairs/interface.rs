@@ -1,10 +1,12 @@
 //! Particles of a body that can reach a node which a partner reaches too, until the next sort. Normals and distances
 //! are sought at such nodes alone, so no other particle is asked.
 
-use super::{Pair, broad};
+use super::Pair;
+use super::broad::BodyReach;
 use proctor_kernel::grid::{ActiveRows, GHOSTS_BELOW, GridShape};
 use proctor_kernel::layout::Layout;
 use proctor_kernel::particles::ParticleSet;
+use proctor_kernel::simulation::StepView;
 use proctor_kernel::sorting::rows_of_some;
 use proctor_kernel::weights::base_node;
 use std::ops::Range;
@@ -30,10 +32,9 @@ impl Interface {
         body: usize,
         pairs: &[Pair],
         near: &[bool],
-        sets: &[ParticleSet],
-        shape: &GridShape,
-        stencil: usize,
+        (view, reach): (&StepView<'_>, &mut BodyReach<'_>),
     ) {
+        let (shape, stencil) = (&view.grid.shape, view.stencil);
         let Self { runs, rows, shared } = self;
         let own = pairs.iter().zip(near).filter(|(pair, near)| {
             **near && !pair.by_shape && (pair.master == body || pair.slave == body)
@@ -44,12 +45,11 @@ impl Interface {
                 if axis >= shape.axes {
                     return (0.0, 0.0);
                 }
-                let reach = |body: usize| broad::reach(&sets[body], shape, stencil, axis);
-                let (a, b) = (reach(pair.master), reach(pair.slave));
+                let [a, b] = [pair.master, pair.slave].map(|body| reach.of(body, axis));
                 (a.0.max(b.0), a.1.min(b.1))
             })
         }));
-        let set = &sets[body];
+        let set = &view.particles[body];
         runs.clear();
         for layer in 0..set.layers.len() - 1 {
             for p in set.in_layers(layer..layer + 1) {

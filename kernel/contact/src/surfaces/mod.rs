@@ -95,6 +95,10 @@ impl SurfaceContact {
 }
 
 impl Interaction for SurfaceContact {
+    fn not_local(&self) -> Option<&'static str> {
+        Some("rigid surfaces or driven shapes")
+    }
+
     fn start(&self, view: &StepView<'_>) -> Result<(), SetupError> {
         refuse_overlap_with_surfaces(view, &self.rigid)
     }

@@ -141,7 +141,10 @@ impl SourceMap {
             SetupError::Interaction { path, .. } => self.of_mortar(path),
             SetupError::TooLarge { .. } => vec!["mesh.cells_number".into()],
             SetupError::Threads(_) => vec!["n_threads".into()],
-            SetupError::Lanes(_) | SetupError::Overlap(_) | SetupError::Change { .. } => vec![],
+            SetupError::Lanes(_)
+            | SetupError::Overlap(_)
+            | SetupError::Change { .. }
+            | SetupError::Ranks(_) => vec![],
         };
         self.told(&paths, &error.to_string())
     }

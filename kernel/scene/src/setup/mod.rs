@@ -127,8 +127,12 @@ pub(crate) fn set_up(scene: &Scene, options: &Options) -> Result<Cycle, SetupErr
         least_share: options.least_share,
         is_undeformed: options.initial.is_none() && options.start.is_none(),
     };
-    let cycle = Cycle::new(model, start)?;
+    let mut cycle = Cycle::new(model, start)?;
     traction_cover::require_carried(&cycle.view())?;
+    if let Some(ranks) = &options.step_ranks {
+        let shared = cycle.share_steps_among(Arc::clone(ranks));
+        shared.map_err(SetupError::Ranks)?;
+    }
     Ok(cycle)
 }
 

@@ -90,6 +90,9 @@ pub struct Options {
     /// Ranks that share the simulation once it runs ([`share_among`](proctor_kernel::simulation::Cycle::share_among)): a set-up
     /// does not look at them, a run does.
     pub ranks: Option<Arc<dyn Ranks>>,
+    /// Ranks that share each step, while every one of them has the whole simulation between two steps
+    /// ([`share_steps_among`](proctor_kernel::simulation::Cycle::share_steps_among)).
+    pub step_ranks: Option<Arc<dyn Ranks>>,
     /// Memory that the scene may need; else all that the machine has free.
     pub memory: Option<Memory>,
 }
@@ -159,6 +162,10 @@ impl fmt::Debug for Options {
             .field("conditions", &self.conditions.len())
             .field("interactions", &self.interactions.len())
             .field("ranks", &self.ranks.as_ref().map(|ranks| ranks.count()))
+            .field(
+                "step_ranks",
+                &self.step_ranks.as_ref().map(|ranks| ranks.count()),
+            )
             .field("memory", &self.memory)
             .finish()
     }

@@ -71,12 +71,8 @@ impl Cycle {
 
     /// The largest of each number over all ranks.
     pub(in crate::simulation) fn join_most(&self, numbers: &mut [f64]) {
-        let Some(ranks) = self.ranks() else { return };
-        let words: Vec<u64> = numbers.iter().map(|number| number.to_bits()).collect();
-        for of_rank in ranks.all_gather(&words) {
-            for (most, word) in numbers.iter_mut().zip(of_rank) {
-                *most = most.max(f64::from_bits(word));
-            }
+        if let Some(ranks) = self.ranks() {
+            ranks.join_most(numbers);
         }
     }
 

@@ -19,7 +19,9 @@ pub(super) use join::Removed;
 pub use whole::OwnPart;
 
 use super::Cycle;
+use super::interactions::Interaction;
 use crate::ranks::Ranks;
+use crate::simulation::values::{StepError, StepInfo};
 use cut::{Cut, LEAST_PLANES};
 use std::fmt;
 use std::ops::Range;
@@ -77,6 +79,11 @@ impl Share {
         self.particles
     }
 
+    /// The ranks.
+    pub(super) fn ranks(&self) -> &dyn Ranks {
+        &*self.ranks
+    }
+
     /// Number of this rank.
     fn rank(&self) -> usize {
         self.ranks.rank()
@@ -95,20 +102,60 @@ impl Cycle {
     /// # Errors
     /// A scene with a part that is not local, or more ranks than its planes allow. The simulation is then as it was.
     pub fn share_among(&mut self, ranks: Arc<dyn Ranks>) -> Result<(), SharingRefusal> {
+        let share = self.cut_among(ranks)?;
+        self.keep_part(share);
+        Ok(())
+    }
+
+    /// Shares each step among ranks: between two steps every one of them has the whole simulation, as one process has it. That
+    /// costs messages of the size of the state, and is for programs that look at the simulation after each step, all ranks
+    /// alike.
+    ///
+    /// # Errors
+    /// As [`Cycle::share_among`].
+    pub fn share_steps_among(&mut self, ranks: Arc<dyn Ranks>) -> Result<(), SharingRefusal> {
+        self.work.between_steps = Some(self.cut_among(ranks)?);
+        Ok(())
+    }
+
+    /// A step of this rank, on its part of the simulation, from the whole to the whole where ranks share each step.
+    pub(super) fn step_of_rank(
+        &mut self,
+        step: impl FnOnce(&mut Self) -> Result<StepInfo, StepError>,
+    ) -> Result<StepInfo, StepError> {
+        let Some(mut share) = self.work.between_steps.take() else {
+            return step(self);
+        };
+        share.particles = self.particles();
+        share.diffusivity = self.own_diffusivity();
+        self.keep_part(share);
+        let result = step(self);
+        self.work.between_steps = self.gather_everywhere();
+        result
+    }
+
+    /// Cuts the planes for ranks.
+    fn cut_among(&self, ranks: Arc<dyn Ranks>) -> Result<Share, SharingRefusal> {
         self.can_be_shared(ranks.count())?;
-        let share = Share {
+        Ok(Share {
             cut: Cut::new(&self.particles_of_layers(), ranks.count()),
             particles: self.particles(),
             diffusivity: self.own_diffusivity(),
             ranks,
-        };
+        })
+    }
+
+    /// Keeps the part of this rank of the whole simulation.
+    fn keep_part(&mut self, share: Share) {
         let held = share.cut.held(share.rank(), self.state.stencil);
         for set in &mut self.state.sets {
             set.keep_layers(held.clone());
         }
         self.work.grid.own(share.planes(), &self.state.sets);
         self.work.share = Some(share);
-        Ok(())
+        self.work.forces_of_ranks = None;
+        // What an interaction knows of particles by their places.
+        self.each(Interaction::fields_given);
     }
 
     /// Particles of each layer, as of the last sort.
@@ -145,10 +192,6 @@ impl Cycle {
         let (model, settings) = (&self.model, &self.model.settings);
         let parts = [
             (
-                !self.work.interactions.is_empty(),
-                "contact, driven shapes or another interaction",
-            ),
-            (
                 !model.own_conditions.is_empty(),
                 "conditions of a program's own",
             ),
@@ -156,9 +199,15 @@ impl Cycle {
             (self.work.grid.has_water, "pore water"),
             (!settings.standing_waters.is_empty(), "standing water"),
         ];
-        parts
-            .iter()
-            .find(|(there, _)| *there)
-            .map(|(_, part)| *part)
+        let interactions = self.interactions();
+        interactions
+            .filter_map(Interaction::not_local)
+            .chain(
+                parts
+                    .iter()
+                    .filter(|(there, _)| *there)
+                    .map(|(_, part)| *part),
+            )
+            .next()
     }
 }

@@ -5,6 +5,9 @@ use crate::grid::ActiveRows;
 use crate::particles::ParticleSet;
 use crate::ranks::Words;
 use crate::simulation::Cycle;
+use crate::simulation::interactions::Interaction;
+use crate::simulation::values::NodalForce;
+use std::any::Any;
 use std::ops::Range;
 
 /// The part of the first rank, while it has the whole simulation.
@@ -13,6 +16,8 @@ pub struct OwnPart {
     sets: Vec<ParticleSet>,
     /// Rows in use of each field.
     rows: Vec<ActiveRows>,
+    /// Memory of each interaction, for the own particles.
+    scratch: Vec<Option<Box<dyn Any + Send + Sync>>>,
 }
 
 impl Cycle {
@@ -22,6 +27,27 @@ impl Cycle {
     #[must_use]
     pub fn gather(&mut self) -> Option<OwnPart> {
         let share = self.work.share.as_ref()?;
+        let first = share.rank() == 0;
+        let mut parts = vec![vec![]; share.ranks.count()];
+        parts[0] = self.pack_part(share);
+        let received = share.ranks.all_to_all(parts);
+        if !first {
+            return None;
+        }
+        let share = self.work.share.take()?;
+        Some(self.take_up(share, &received))
+    }
+
+    /// Gathers the whole simulation on each rank; the part that this one had.
+    pub(super) fn gather_everywhere(&mut self) -> Option<Share> {
+        let share = self.work.share.as_ref()?;
+        let received = share.ranks.all_gather(&self.pack_part(share));
+        let share = self.work.share.take()?;
+        Some(self.take_up(share, &received).share)
+    }
+
+    /// The particles and nodes that a rank owns, as words.
+    fn pack_part(&self, share: &Share) -> Vec<u64> {
         let planes = share.planes();
         let mut words = vec![];
         for set in &self.state.sets {
@@ -36,16 +62,9 @@ impl Cycle {
         for field in &self.work.grid.fields {
             field.rows.pack(planes.clone(), &mut words);
         }
+        self.pack_nodal_forces(&mut words);
         words.extend(exchange::pack(&self.work.grid, planes));
-        let first = share.rank() == 0;
-        let mut parts = vec![vec![]; share.ranks.count()];
-        parts[0] = words;
-        let received = share.ranks.all_to_all(parts);
-        if !first {
-            return None;
-        }
-        let share = self.work.share.take()?;
-        Some(self.take_up(share, &received))
+        words
     }
 
     /// Takes up the parts of all ranks; the own part as it was.
@@ -65,6 +84,7 @@ impl Cycle {
             std::mem::replace(&mut field.rows, whole)
         });
         let rows = rows.collect();
+        let mut forces = vec![];
         for (rank, words) in received.iter().enumerate() {
             let mut words = Words::of(words);
             for set in &mut self.state.sets {
@@ -78,6 +98,7 @@ impl Cycle {
             for field in &mut grid.fields {
                 field.rows.unpack(share.cut.planes(rank), &mut words);
             }
+            unpack_nodal_forces(&mut words, &mut forces);
             exchange::unpack(grid, words.rest());
         }
         for set in &mut self.state.sets {
@@ -86,12 +107,26 @@ impl Cycle {
         }
         let planes = 0..grid.shape.nodes[0];
         grid.own(planes, &self.state.sets);
-        OwnPart { share, sets, rows }
+        self.work.forces_of_ranks = Some(forces);
+        let interactions = self.work.interactions.iter_mut();
+        let scratch = interactions.map(|one| one.take_scratch()).collect();
+        self.each(Interaction::fields_given);
+        OwnPart {
+            share,
+            sets,
+            rows,
+            scratch,
+        }
     }
 
     /// Gives the first rank its part again, after [`Cycle::gather`].
     pub fn put_back(&mut self, part: OwnPart) {
-        let OwnPart { share, sets, rows } = part;
+        let OwnPart {
+            share,
+            sets,
+            rows,
+            scratch,
+        } = part;
         self.state.sets = sets;
         let planes: Range<usize> = share.planes();
         let grid = &mut self.work.grid;
@@ -100,5 +135,36 @@ impl Cycle {
         }
         grid.own(planes, &self.state.sets);
         self.work.share = Some(share);
+        self.work.forces_of_ranks = None;
+        for (one, scratch) in self.work.interactions.iter_mut().zip(scratch) {
+            if let Some(scratch) = scratch {
+                one.give_scratch(scratch);
+            }
+        }
     }
+
+    /// The forces of contact at the nodes of this rank: their number, then body, node, force and gap of each.
+    fn pack_nodal_forces(&self, words: &mut Vec<u64>) {
+        let count = words.len();
+        words.push(0);
+        for one in self.interactions() {
+            one.nodal_forces(&self.work.grid, &mut |one| {
+                words[count] += 1;
+                let [x, y, z] = one.force;
+                words.extend([one.body as u64, one.node as u64]);
+                words.extend([x, y, z, one.gap].map(f64::to_bits));
+            });
+        }
+    }
+}
+
+/// Appends packed forces at nodes.
+fn unpack_nodal_forces(words: &mut Words<'_>, forces: &mut Vec<NodalForce>) {
+    let count = words.count();
+    forces.extend((0..count).map(|_| NodalForce {
+        body: words.count(),
+        node: words.count(),
+        force: [(); 3].map(|()| words.number()),
+        gap: words.number(),
+    }));
 }

@@ -5,6 +5,7 @@ use super::tension::Tension;
 use crate::memory::OutOfMemory;
 use crate::model::POROSITIES;
 use crate::number::Number;
+use crate::simulation::ranks::SharingRefusal;
 use crate::simulation::values::ParticleAt;
 use std::any::Any;
 use std::fmt;
@@ -46,6 +47,8 @@ pub enum SetupError {
         /// Shortage: the purpose, the bytes needed, and the bytes there are.
         error: OutOfMemory,
     },
+    /// Ranks that were to share the simulation cannot.
+    Ranks(SharingRefusal),
     /// The thread pool could not be made.
     Threads(String),
     /// Pairs of contact whose bodies overlap at the start.
@@ -146,6 +149,7 @@ impl fmt::Display for SetupError {
                 write!(f, "{path}: {error}: fewer cells, or larger ones")
             }
             Self::Memory { path, error } => write!(f, "{path}: {error}"),
+            Self::Ranks(refusal) => refusal.fmt(f),
             Self::Threads(reason) => write!(f, "threads: {reason}"),
             Self::Overlap(all) => {
                 for (
