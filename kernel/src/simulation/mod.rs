@@ -54,7 +54,7 @@ pub use mapping::{NodeWeights, node_weights, node_weights_touching};
 pub use nodes::NodeValues;
 pub use phase::Phase;
 use ranks::Share;
-pub use ranks::{OwnPart, RankForecast, SharingRefusal};
+pub use ranks::{OwnPart, RankForecast};
 pub use rehearsal::{Part, Rehearsal};
 pub use result_quality::{MOST_REMAINDER, ResultQuality};
 pub use start::Start;
@@ -63,8 +63,8 @@ pub use values::{
     AbsorbingNode, BodyEnergy, BodyHandle, BodyRun, Bound, Clock, Drift, Energy, EnergyLedger,
     Event, EventKind, Extremes, FreeGroundNode, Groups, InitialOverlap, InteractionError,
     InteractionFault, Invariant, InvariantMonitor, MESH, MOST_STRETCH_RATIO, MassCenter,
-    NodalForce, ParticleAt, RestoreError, SavedArrays, SavedState, SetupError, Spin, State,
-    StepError, StepErrorKind, StepInfo, Tension, TimeStepAboveCritical, Violation,
+    NodalForce, ParticleAt, RestoreError, SavedArrays, SavedState, SetupError, SharingRefusal,
+    Spin, State, StepError, StepErrorKind, StepInfo, Tension, TimeStepAboveCritical, Violation,
 };
 
 pub use model::Model;

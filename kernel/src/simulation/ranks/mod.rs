@@ -21,45 +21,10 @@ pub use whole::OwnPart;
 use super::Cycle;
 use super::interactions::Interaction;
 use crate::ranks::Ranks;
-use crate::simulation::values::{StepError, StepInfo};
+use crate::simulation::values::{SharingRefusal, StepError, StepInfo};
 use cut::{Cut, LEAST_PLANES};
-use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
-
-/// Refusal to share a simulation among ranks.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum SharingRefusal {
-    /// A part of the scene needs more than its surroundings.
-    Part {
-        /// The part.
-        part: &'static str,
-    },
-    /// There are too few planes for so many ranks.
-    TooMany {
-        /// Ranks.
-        ranks: usize,
-        /// Most ranks.
-        most: usize,
-    },
-}
-
-impl fmt::Display for SharingRefusal {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Part { part } => write!(
-                f,
-                "ranks do not share a scene with {part} yet; accepted: one process with threads (`--threads`)"
-            ),
-            Self::TooMany { ranks, most } => write!(
-                f,
-                "{ranks} ranks are too many for the planes of this mesh along its first axis; accepted: at most {most}"
-            ),
-        }
-    }
-}
-
-impl std::error::Error for SharingRefusal {}
 
 /// The part that a rank has in a shared simulation.
 pub(crate) struct Share {

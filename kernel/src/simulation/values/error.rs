@@ -1,11 +1,11 @@
 //! Errors at set-up and in a step.
 
 use super::invariants::Violation;
+use super::sharing_refusal::SharingRefusal;
 use super::tension::Tension;
 use crate::memory::OutOfMemory;
 use crate::model::POROSITIES;
 use crate::number::Number;
-use crate::simulation::ranks::SharingRefusal;
 use crate::simulation::values::ParticleAt;
 use std::any::Any;
 use std::fmt;

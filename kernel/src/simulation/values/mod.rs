@@ -13,6 +13,7 @@ mod invariants;
 mod mass_center;
 mod nodal_force;
 mod particle_at;
+mod sharing_refusal;
 mod spin;
 mod state;
 mod tension;
@@ -35,6 +36,7 @@ pub(crate) use invariants::{MOST_GAIN, MOST_INCREMENT, MOST_LOST_MOMENTUM, MOST_
 pub use mass_center::MassCenter;
 pub use nodal_force::NodalForce;
 pub use particle_at::ParticleAt;
+pub use sharing_refusal::SharingRefusal;
 pub use spin::Spin;
 pub use state::{EnergyLedger, Groups, RestoreError, SavedArrays, SavedState, State};
 pub(crate) use tension::MOST_UNSEEN;

@@ -1,0 +1,37 @@
+//! Refusal to share a simulation among ranks.
+
+use std::fmt;
+
+/// Refusal to share a simulation among ranks.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum SharingRefusal {
+    /// A part of the scene needs more than its surroundings.
+    Part {
+        /// The part.
+        part: &'static str,
+    },
+    /// There are too few planes for so many ranks.
+    TooMany {
+        /// Ranks.
+        ranks: usize,
+        /// Most ranks.
+        most: usize,
+    },
+}
+
+impl fmt::Display for SharingRefusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Part { part } => write!(
+                f,
+                "ranks do not share a scene with {part} yet; accepted: one process with threads (`--threads`)"
+            ),
+            Self::TooMany { ranks, most } => write!(
+                f,
+                "{ranks} ranks are too many for the planes of this mesh along its first axis; accepted: at most {most}"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for SharingRefusal {}
