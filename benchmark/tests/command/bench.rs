@@ -430,3 +430,56 @@ fn a_scene_that_does_not_go_with_a_method_is_told_at_its_place() {
     let said = stderr(&output);
     assert!(said.starts_with(&format!("{name}:{line}:")), "{said}");
 }
+
+/// Steps that ranks share are rows of their own; stages are played by one rank, and contact that is not local is a failed row.
+#[test]
+fn ranks_share_the_steps_of_a_scene() {
+    let desk = Desk::new();
+    let values = json!({
+        "scenes": ["moving-2d", "contact-2d", "mortar-2d"], "particles": 1000, "threads": [1, 2], "ranks": [1, 2],
+        "particle_steps": 20000, "warm_up": 1, "repetitions": 3, "stages": ["g2p"]
+    });
+    let json = desk.name("b.json");
+    let output = proctor(&["bench", &config(&desk, &values), "--json", &json]);
+    assert_eq!(code(&output), 1, "{}", stderr(&output));
+    let record = record(&desk.path("b.json"));
+    for scene in ["moving-2d", "contact-2d", "mortar-2d"] {
+        for threads in [1, 2] {
+            let own = rows(
+                &record,
+                &format!("{scene}/1000/uGIMP/USL/FLIP/ranks:2/threads:{threads}"),
+            );
+            assert_eq!(own.len(), 3, "{scene} on 2 ranks of {threads}");
+            for row in own {
+                assert_eq!(row["error_occurred"] == true, scene == "mortar-2d", "{row}");
+            }
+        }
+    }
+    let of_stage = rows(&record, "moving-2d/1000/uGIMP/USL/FLIP/g2p/");
+    assert_eq!(of_stage.len(), 6, "on one and two threads");
+    assert!(
+        stdout(&output).contains("2 ranks of 1"),
+        "{}",
+        stdout(&output)
+    );
+    assert!(
+        stdout(&output).contains("mortar contact"),
+        "{}",
+        stdout(&output)
+    );
+}
+
+#[test]
+fn ranks_of_a_benchmark_are_a_count() {
+    let desk = Desk::new();
+    for (ranks, accepted) in [
+        (json!([2, 0]), "a whole number, 1 or more"),
+        (json!(1000), "at most 256 ranks"),
+    ] {
+        let values = json!({ "scenes": ["rest-2d"], "ranks": ranks });
+        let output = proctor(&["bench", &config(&desk, &values)]);
+        assert_eq!(code(&output), 2, "{}", stderr(&output));
+        let told = stderr(&output);
+        assert!(told.contains("ranks") && told.contains(accepted), "{told}");
+    }
+}

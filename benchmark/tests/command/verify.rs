@@ -1,6 +1,6 @@
 //! `proctor verify`.
 
-use crate::command::support::{Desk, code, proctor, stderr, stdout};
+use crate::command::support::{Desk, code, proctor, record, stderr, stdout};
 use serde_json::Value;
 
 #[test]
@@ -82,4 +82,48 @@ fn the_names_of_the_cases_can_be_had() {
     assert!(names.contains(&"bar") && names.contains(&"hertz"), "{all}");
     let output = proctor(&["verify", "--list", "hertz"]);
     assert_eq!(stdout(&output), "hertz\n");
+}
+
+/// Cases on ranks have the errors of one process, bit by bit; those that ranks do not share are left out by name.
+#[test]
+fn cases_on_ranks_have_the_errors_of_one_process() {
+    let desk = Desk::new();
+    let cases = ["bar", "sudden-weight", "hertz-ball"];
+    let run = |ranks: &str, file: &str| {
+        let options = ["--quick", "--ranks", ranks, "--json", &desk.name(file)];
+        proctor(&[&["verify"], &cases[..], &options[..]].concat())
+    };
+    let alone = run("1", "alone.json");
+    assert_eq!(code(&alone), 0, "{}", stdout(&alone));
+    let output = run("2", "shared.json");
+    assert_eq!(code(&output), 0, "{}{}", stdout(&output), stderr(&output));
+    assert!(
+        stdout(&output).contains("left out: hertz-ball: "),
+        "{}",
+        stdout(&output)
+    );
+    let [alone, shared] = ["alone.json", "shared.json"].map(|file| record(&desk.path(file)));
+    assert_eq!(shared["context"]["ranks"], 2);
+    assert_eq!(alone["context"]["ranks"], Value::Null);
+    let errors = |record: &Value, case: &str| -> Vec<Value> {
+        let rows = record["benchmarks"].as_array().expect("rows").iter();
+        let own = rows.filter(|row| {
+            row["name"]
+                .as_str()
+                .is_some_and(|name| name.starts_with(case))
+        });
+        let clocks = ["real_time", "cpu_time", "repetition_index"];
+        let without = |row: &Value| {
+            let mut row = row.clone();
+            let row_keys = row.as_object_mut().expect("a row");
+            clocks.iter().for_each(|key| drop(row_keys.remove(*key)));
+            row
+        };
+        own.map(without).collect()
+    };
+    for case in ["bar", "sudden-weight"] {
+        let expected = errors(&alone, case);
+        assert!(expected.len() > 3, "{case}");
+        assert_eq!(errors(&shared, case), expected, "{case}");
+    }
 }

@@ -200,7 +200,10 @@ impl LaneChoice {
 
 /// A backend that this machine has been seen to support.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct SelectedLanes(Kind);
+pub struct SelectedLanes {
+    kind: Kind,
+    whole_groups: bool,
+}
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
@@ -249,10 +252,13 @@ impl SelectedLanes {
             let avx512 =
                 avx2 && is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512vl");
             match choice {
-                LaneChoice::Auto | LaneChoice::Avx512 if avx512 => Ok(Self(Kind::Avx512)),
-                LaneChoice::Auto | LaneChoice::Avx2 if avx2 => Ok(Self(Kind::Avx2)),
+                LaneChoice::Auto | LaneChoice::Avx512 if avx512 => Ok(Self {
+                    kind: Kind::Avx512,
+                    whole_groups: x86::adds_eight_lanes_at_once(),
+                }),
+                LaneChoice::Auto | LaneChoice::Avx2 if avx2 => Ok(Self::of(Kind::Avx2)),
                 LaneChoice::Auto | LaneChoice::Scalar => {
-                    Ok(Self(if fma { Kind::ScalarFused } else { Kind::Plain }))
+                    Ok(Self::of(if fma { Kind::ScalarFused } else { Kind::Plain }))
                 }
                 missing => Err(LanesUnavailable(missing)),
             }
@@ -262,7 +268,7 @@ impl SelectedLanes {
             match choice {
                 // Every other 64-bit target that Rust supports well (aarch64) has fused multiply-add.
                 LaneChoice::Auto | LaneChoice::Scalar => {
-                    Ok(Self(if cfg!(target_arch = "aarch64") {
+                    Ok(Self::of(if cfg!(target_arch = "aarch64") {
                         Kind::ScalarFused
                     } else {
                         Kind::Plain
@@ -283,14 +289,39 @@ impl SelectedLanes {
     /// others are compared with them, and they take the paths of AVX-512 through a line on any machine.
     #[must_use]
     pub fn plain() -> Self {
-        Self(Kind::Plain)
+        Self::of(Kind::Plain)
+    }
+
+    fn of(kind: Kind) -> Self {
+        Self {
+            kind,
+            whole_groups: false,
+        }
+    }
+
+    /// The same lanes, in which groups of particles stay together however many base nodes they have, or do not. No bit depends
+    /// on it.
+    #[must_use]
+    pub fn with_whole_groups(self, whole_groups: bool) -> Self {
+        Self {
+            whole_groups,
+            ..self
+        }
+    }
+
+    /// True where a group of particles in lanes is the fastest even with three base nodes: on machines that add eight numbers as
+    /// fast as four.
+    #[must_use]
+    #[inline]
+    pub(crate) fn whole_groups(self) -> bool {
+        self.whole_groups
     }
 
     /// Name for summaries: `avx512`, `avx2`, `scalar`, or `scalar without fused multiply-add` where every
     /// multiply-add is a slow library call.
     #[must_use]
     pub fn name(self) -> &'static str {
-        match self.0 {
+        match self.kind {
             #[cfg(target_arch = "x86_64")]
             Kind::Avx512 => "avx512",
             #[cfg(target_arch = "x86_64")]
@@ -303,7 +334,7 @@ impl SelectedLanes {
     /// Runs a kernel, compiled for this backend.
     #[inline]
     pub fn run<K: Kernel>(self, kernel: K) -> K::Output {
-        match self.0 {
+        match self.kind {
             // SAFETY: `SelectedLanes::new` makes these kinds only where the features were detected.
             #[cfg(target_arch = "x86_64")]
             Kind::Avx512 => unsafe { x86::run_avx512(kernel) },

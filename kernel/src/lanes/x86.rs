@@ -41,6 +41,15 @@ impl Backend for Avx512 {
     const WHOLE_LINE: bool = true;
 }
 
+/// True on processors of Intel, which add eight numbers as fast as four. Those of AMD with AVX-512 were measured to gather faster
+/// by four.
+pub(super) fn adds_eight_lanes_at_once() -> bool {
+    #[allow(unused_unsafe)] // safe since Rust 1.94
+    // SAFETY: every processor with AVX-512 has the instruction.
+    let vendor = unsafe { __cpuid(0) };
+    [vendor.ebx, vendor.edx, vendor.ecx].map(u32::to_le_bytes) == [*b"Genu", *b"ineI", *b"ntel"]
+}
+
 /// # Safety
 /// The machine must have AVX2 and FMA.
 #[target_feature(enable = "avx2,fma")]

@@ -382,7 +382,8 @@ fn check_pass(
     let (expected, all) = after(SelectedLanes::plain());
     // Some particles lie close to the boundary and leave.
     assert!(matches!(all.fault, None | Some((_, FaultKind::Outside))));
-    for lanes in lanes() {
+    let both = |lanes: SelectedLanes| [false, true].map(|whole| lanes.with_whole_groups(whole));
+    for lanes in lanes().into_iter().flat_map(both) {
         let name = lanes.name();
         let (found, sums) = after(lanes);
         assert_eq!(sums, all, "{name} lanes, {axes}D, {stencil} nodes per axis");

@@ -333,7 +333,7 @@ fn gather<
     match bases.number {
         n if n < 2 || L::WIDTH == 1 => interpolate!(N, 1, false, bases),
         2 => interpolate!(N, 2, false, bases),
-        _ if D == 3 && N == 3 => {
+        _ if D == 3 && N == 3 && !(L::WIDTH == 8 && call.lanes.whole_groups()) => {
             let [w, g, q] = factors::<L, D, N, APIC, false, false>(columns, mapping, &block, at);
             let differences = Differences::new::<D, N>(&w, &g, &q);
             each.interpolate_each::<L, Q, D, KICK, GRADIENT, APIC, UPPER, MOVE>(
