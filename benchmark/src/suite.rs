@@ -180,14 +180,16 @@ fn solve_on_ranks(
     let mut ranks = of_threads(ranks).into_iter();
     std::thread::scope(|scope| {
         let first = ranks.next().map(on).unwrap_or_default();
-        for other in ranks {
-            let options = on(other);
-            scope.spawn(move || {
-                // The first rank has the same result.
-                let _ = case.solve(rung, &options, &mut |_| ());
-            });
-        }
-        case.solve(rung, &first, progress)
+        let other = |rank| {
+            let options = on(rank);
+            scope.spawn(move || drop(case.solve(rung, &options, &mut |_| ())))
+        };
+        let others: Vec<_> = ranks.map(other).collect();
+        let solved = case.solve(rung, &first, progress);
+        drop(first);
+        // They have the same result, or wait for messages of a rank that was stopped.
+        others.into_iter().for_each(|other| drop(other.join()));
+        solved
     })
 }
 

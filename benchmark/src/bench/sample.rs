@@ -92,6 +92,31 @@ impl Work {
     /// # Errors
     /// If the scene cannot be set up or stepped.
     pub fn sample(&self, settings: &Settings, stop: &AtomicBool) -> Result<Option<Sample>, String> {
+        if self.ranks == 1 {
+            return self.sample_of(None, settings, stop);
+        }
+        let mut ranks = of_threads(self.ranks).into_iter().map(Arc::new);
+        let first = ranks.next();
+        std::thread::scope(|scope| {
+            let other = |rank| {
+                scope.spawn(move || self.sample_of(Some(&rank), settings, &AtomicBool::new(false)))
+            };
+            let others: Vec<_> = ranks.map(other).collect();
+            let sample = self.sample_of(first.as_ref(), settings, stop);
+            drop(first);
+            // They have the same sample or error, or wait for messages of a rank that was stopped.
+            others.into_iter().for_each(|other| drop(other.join()));
+            sample
+        })
+    }
+
+    /// The sample of a rank, where there are several.
+    fn sample_of(
+        &self,
+        rank: Option<&Arc<ThreadRank>>,
+        settings: &Settings,
+        stop: &AtomicBool,
+    ) -> Result<Option<Sample>, String> {
         let mut options = Options {
             threads: Some(self.threads),
             lanes: settings.lanes,
@@ -99,9 +124,7 @@ impl Work {
             ..Options::default()
         };
         let resets = memory::reset_peak();
-        let mut ranks = of_threads(self.ranks).into_iter().map(Arc::new);
-        let first = ranks.next().filter(|_| self.ranks > 1);
-        let mut simulation = self.start(&options, first.as_ref())?;
+        let mut simulation = self.start(&options, rank)?;
         // New threads would have to find their processors each time that the scene begins anew.
         options.team = Some(simulation.team());
         let particles = simulation.particles();
@@ -111,30 +134,10 @@ impl Work {
                 // The first step is not like the others: velocities and positions are at the same time.
                 SampleTime::stage(&mut simulation, part, settings.warm_up, steps, stop)
             }
-            Kind::Steps => std::thread::scope(|scope| {
-                for rank in ranks {
-                    let options = Options {
-                        team: None,
-                        ..options.clone()
-                    };
-                    scope.spawn(move || {
-                        // The first rank gives the times, the same error, and the end.
-                        let start = || self.start(&options, Some(&rank));
-                        let never = AtomicBool::new(false);
-                        start().and_then(|mut simulation| {
-                            let team = simulation.team();
-                            let options = Options {
-                                team: Some(team),
-                                ..options.clone()
-                            };
-                            let start = || self.start(&options, Some(&rank));
-                            self.steps(&mut simulation, &start, settings.warm_up, steps, &never)
-                        })
-                    });
-                }
-                let start = || self.start(&options, first.as_ref());
+            Kind::Steps => {
+                let start = || self.start(&options, rank);
                 self.steps(&mut simulation, &start, settings.warm_up, steps, stop)
-            }),
+            }
         }?;
         if stop.load(Ordering::Relaxed) {
             return Ok(None);

@@ -25,8 +25,8 @@ pub struct ThreadRank {
     post: Arc<Post>,
 }
 
-/// Some ranks that are threads of this process, one for each thread that will have one. A rank that waits for one that was
-/// dropped panics.
+/// Some ranks that are threads of this process, one for each thread that will have one. A thread whose rank waits for one that
+/// was dropped unwinds, without a message.
 #[must_use]
 pub fn of_threads(count: usize) -> Vec<ThreadRank> {
     let post = Arc::new(Post {
@@ -60,11 +60,10 @@ impl ThreadRank {
         let waiting = |round: &mut Round| !until(round) && !round.ended;
         let waited = self.post.changed.wait_while(round, waiting);
         let round = waited.unwrap_or_else(PoisonError::into_inner);
-        assert!(
-            until(&round),
-            "rank {} waits for a rank that has ended",
-            self.rank
-        );
+        if !until(&round) {
+            // Whatever ended the other rank has its own message.
+            std::panic::resume_unwind(Box::new("a rank waits for one that has ended"));
+        }
         round
     }
 
