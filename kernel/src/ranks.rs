@@ -7,6 +7,8 @@
 
 mod threads;
 
+use std::time::Duration;
+
 pub use threads::{ThreadRank, of_threads};
 
 /// Ranks of one simulation. All of them call the same function at the same time, in the same order.
@@ -29,6 +31,11 @@ pub trait Ranks: Send + Sync {
     /// Sends words to the rank before and to the one after; the words that these sent here. The first and the last rank have
     /// one neighbour: what they send beyond goes nowhere, and nothing comes from there.
     fn exchange(&self, to: [Vec<u64>; 2]) -> [Vec<u64>; 2];
+
+    /// Time that this rank has spent in messages so far, until the others answered; zero where nobody measures it.
+    fn message_time(&self) -> Duration {
+        Duration::ZERO
+    }
 
     /// Puts the largest of each number over all ranks in its place.
     fn join_most(&self, numbers: &mut [f64]) {

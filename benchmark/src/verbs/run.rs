@@ -170,7 +170,12 @@ impl Run {
         }
         let first = run.simulation().steps();
         let mut tally = Tally::default();
+        let in_messages = || options.ranks.as_ref().map(|ranks| ranks.message_time());
+        let before = in_messages();
         let fault = drive(&mut run, &mut tally, interrupt);
+        let messages = in_messages()
+            .zip(before)
+            .map(|(after, before)| after - before);
         let mut summary = run.summary();
         if let Some(fault) = fault {
             summary.status = Status::Failed;
@@ -180,6 +185,7 @@ impl Run {
         let spent = tally.stopwatch.spent;
         summary.wall_seconds = Some(spent.wall.as_secs_f64());
         summary.cpu_seconds = Some(spent.cpu.as_secs_f64());
+        summary.message_seconds = messages.map(|time| time.as_secs_f64());
         summary.ns_per_particle_step = spent.ns_per(tally.particle_steps);
         let written = save(&summary, run.folder());
         write!(

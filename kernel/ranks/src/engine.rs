@@ -13,6 +13,8 @@ use proctor_kernel::ranks::Ranks;
 use std::cell::RefCell;
 use std::fmt;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::{Duration, Instant};
 
 thread_local! {
     /// The communicator of all ranks, on the thread that started MPI.
@@ -63,6 +65,7 @@ impl Engine {
         let ranks = World {
             rank: world.rank() as usize,
             count: world.size() as usize,
+            message_nanoseconds: AtomicU64::new(0),
         };
         WORLD.set(Some(world));
         Ok(Self {
@@ -89,14 +92,22 @@ impl Drop for Engine {
 struct World {
     rank: usize,
     count: usize,
+    /// Time in messages so far.
+    message_nanoseconds: AtomicU64,
 }
 
-/// Calls `act` with the communicator of this thread.
-fn with_world<R>(act: impl FnOnce(&SimpleCommunicator) -> R) -> R {
-    WORLD.with_borrow(|world| match world {
-        Some(world) => act(world),
-        None => panic!("a rank speaks from the thread that started MPI"),
-    })
+impl World {
+    /// Calls `act` with the communicator of this thread, and counts its time.
+    fn speak<R>(&self, act: impl FnOnce(&SimpleCommunicator) -> R) -> R {
+        let start = Instant::now();
+        let result = WORLD.with_borrow(|world| match world {
+            Some(world) => act(world),
+            None => panic!("a rank speaks from the thread that started MPI"),
+        });
+        let took = start.elapsed().as_nanos() as u64;
+        self.message_nanoseconds.fetch_add(took, Ordering::Relaxed);
+        result
+    }
 }
 
 impl Ranks for World {
@@ -108,8 +119,12 @@ impl Ranks for World {
         self.count
     }
 
+    fn message_time(&self) -> Duration {
+        Duration::from_nanos(self.message_nanoseconds.load(Ordering::Relaxed))
+    }
+
     fn all_gather(&self, own: &[u64]) -> Vec<Vec<u64>> {
-        with_world(|world| {
+        self.speak(|world| {
             let mut counts = vec![0_i32; self.count];
             world.all_gather_into(&(own.len() as i32), &mut counts[..]);
             let mut starts = Vec::with_capacity(self.count);
@@ -138,7 +153,7 @@ impl Ranks for World {
     fn all_to_all(&self, mut parts: Vec<Vec<u64>>) -> Vec<Vec<u64>> {
         let own = std::mem::take(&mut parts[self.rank]);
         let others = || (0..self.count).filter(|rank| *rank != self.rank);
-        with_world(|world| {
+        self.speak(|world| {
             let process = |rank: usize| world.process_at_rank(rank as i32);
             let mut received = vec![vec![]; self.count];
             received[self.rank] = own;
@@ -156,7 +171,7 @@ impl Ranks for World {
     fn exchange(&self, to: [Vec<u64>; 2]) -> [Vec<u64>; 2] {
         let below = self.rank.checked_sub(1);
         let above = Some(self.rank + 1).filter(|rank| *rank < self.count);
-        with_world(|world| {
+        self.speak(|world| {
             let process = |rank: usize| world.process_at_rank(rank as i32);
             let mut received = [vec![], vec![]];
             scope(|scope| {

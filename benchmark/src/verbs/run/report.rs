@@ -64,8 +64,12 @@ impl fmt::Display for Report<'_> {
                 None => threads,
                 Some(ranks) => format!("{ranks} ranks, each {threads}"),
             };
+            let messages = s.message_seconds.filter(|_| wall > 0.0);
+            let messages = messages.map_or_else(String::new, |messages| {
+                format!(", messages {:.0} % of the first", 100.0 * messages / wall)
+            });
             let text = format!(
-                "{} wall, {} CPU ({threads}, {} lanes)",
+                "{} wall, {} CPU ({threads}, {} lanes{messages})",
                 seconds(wall),
                 seconds(cpu),
                 s.lanes

@@ -62,6 +62,9 @@ pub struct Summary {
     /// Number of ranks; left out where there is one process.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub ranks: Option<usize>,
+    /// Time that the first of them spent in messages while it stepped, until the others answered \[s\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub message_seconds: Option<f64>,
     /// Lanes of the inner loops: `avx512`, `avx2` or `scalar`.
     pub lanes: String,
     /// Mass of all particles at the end \[kg\].

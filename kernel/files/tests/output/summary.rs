@@ -31,6 +31,7 @@ fn complete() -> Summary {
         ns_per_particle_step: Some(160.0),
         threads: 2,
         ranks: None,
+        message_seconds: None,
         lanes: "avx512".to_owned(),
         mass: Some(2000.0),
         momentum: vec![0.0, 0.0, -1.0],
