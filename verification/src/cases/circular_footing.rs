@@ -99,8 +99,7 @@ fn solve(
     observer: &mut dyn Observer,
 ) -> Result<RungResult, Failure> {
     let (way, time) = (way(rung), time());
-    let down = move |t: f64| -way / time * smooth(t / time)[1];
-    let press = Press::smooth(DEEP, rung.cell, down).up_to(RADIUS);
+    let press = Press::from_rest(DEEP, rung.cell, [way, time]).up_to(RADIUS);
     let press = Arc::new(press.rough(rung.variant == ROUGH));
     let mut options = options.clone();
     options.conditions.push(press.clone());
@@ -111,18 +110,15 @@ fn solve(
         &options,
         |simulation| {
             let known = exact(Reference::CORRECT, rung);
-            let (mut from, mut given, mut pressure) = (0.0, 0.0, f64::NAN);
-            let mut points = vec![];
-            for look in 1..=looks {
-                let share = f64::from(look) * LOOK;
-                run_until(simulation, share * time, observer, |_| {})?;
-                // Velocities, and so impulses, are half a step behind.
-                let (until, impulse) = (simulation.velocity_time(), press.impulse());
-                pressure = (impulse - given) / (until - from) / area;
-                (from, given) = (until, impulse);
-                let sunk = way * smooth(share - 0.5 * LOOK)[0] / RADIUS * YOUNG / STRENGTH;
+            let (mut points, mut pressure) = (vec![], f64::NAN);
+            let share = |look: u32| f64::from(look) * LOOK;
+            let times = (1..=looks).map(|look| share(look) * time);
+            press.forces(simulation, times, observer, |force| {
+                pressure = force / area;
+                let middle = share(points.len() as u32 + 1) - 0.5 * LOOK;
+                let sunk = way * smooth(middle)[0] / RADIUS * YOUNG / STRENGTH;
                 points.push(CurvePoint::new(sunk, pressure / STRENGTH, known / STRENGTH));
-            }
+            })?;
             let curve = Curve::new(
                 format!("load over settlement, {}", rung.label),
                 [

@@ -13,7 +13,7 @@
 //! than a thousandth of a cell. `proctor verify clay-footing`.
 
 use super::prelude::*;
-use super::vocabulary::moved::smooth;
+use super::vocabulary::footing::{self, Footing, LOAD, STRONGER, WRONG_STRENGTH};
 use super::vocabulary::press::Press;
 use crate::exact::bearing::Ground;
 
@@ -21,19 +21,11 @@ const WIDTH: f64 = 2.0; // Width of the footing, B [m]
 const YOUNG: f64 = 1e6; // Young's modulus of the skeleton [Pa]
 const POISSON: f64 = 0.3;
 const STRENGTH: f64 = 1.0; // Cohesion [Pa]
-/// Looks at the load on the way; it is judged over the last of these intervals.
-const LOOKS: u32 = 40;
 
 const UNDRAINED: &str = "undrained";
 const DRAINED: &str = "drained";
 
-const LOAD: &str = "load of the footing";
 const PRESSURE: &str = "mean pressure of the water over the load";
-
-const WRONG_STRENGTH: Wrong =
-    Wrong::factor("strength", 0.75).breaks(|gate| gate.ends_with(LOAD) && !gate.contains("order"));
-const STRONGER: Wrong =
-    Wrong::factor("strength", 1.4).breaks(|gate| gate.contains("footing over the exact one"));
 
 /// The footing on wet clay.
 pub static CLAY_FOOTING: Case = Case::new(
@@ -76,16 +68,14 @@ fn exact_load(reference: Reference, rung: &Rung) -> f64 {
     factor * ground(rung).bearing()
 }
 
-/// Width of the half and depth of the ground \[m\], in halves of B: what moves, a tenth more aside and a half below.
-fn extent(rung: &Rung) -> [f64; 2] {
-    let [aside, deep] = ground(rung).reach();
-    [1.1 * aside, 1.5 * deep].map(|reach| 0.5 * WIDTH * (2.0 * reach).ceil())
-}
-
-/// Distance that the footing goes \[m\]: three to four times what elastic ground would let it sink at the exact load.
-fn way(rung: &Rung) -> f64 {
-    let times = if is_drained(rung) { 4.0 } else { 3.0 };
-    times * ground(rung).bearing() * WIDTH * (1.0 - POISSON * POISSON) / YOUNG
+fn footing(rung: &Rung) -> Footing {
+    Footing {
+        width: WIDTH,
+        ground: ground(rung),
+        young: YOUNG,
+        poisson: POISSON,
+        time: time(rung),
+    }
 }
 
 /// Confined modulus of the skeleton \[Pa\].
@@ -114,18 +104,9 @@ fn time(rung: &Rung) -> f64 {
     times * WIDTH / (YOUNG / (2.0 * (1.0 + POISSON)) / saturated).sqrt()
 }
 
-fn press(rung: &Rung) -> Press {
-    let (way, time) = (way(rung), time(rung));
-    let down = move |at: f64| -way / time * smooth(at / time)[1];
-    Press::smooth(extent(rung)[1], rung.cell, down)
-        .up_to(0.5 * WIDTH)
-        .rough(true)
-        .on_water()
-}
-
 fn scene(rung: &Rung, _: &Settings) -> Scene {
     let h = rung.cell;
-    let [wide, deep] = extent(rung);
+    let [wide, deep] = footing(rung).extent();
     let mut mesh = strip(h, [cells(wide, h), cells(deep, h) + 1]);
     mesh.planes[1] = [PlaneCondition::Fixed, PlaneCondition::Free];
     let mut scene = plane_scene("clay_footing", mesh, time(rung));
@@ -150,7 +131,8 @@ fn solve(
     options: &Options,
     observer: &mut dyn Observer,
 ) -> Result<RungResult, Failure> {
-    let press = Arc::new(press(rung));
+    let press = footing(rung).press(rung.cell).rough(true).on_water();
+    let press = Arc::new(press);
     let mut options = options.clone();
     options.conditions.push(press.clone());
     simulate(
@@ -169,33 +151,11 @@ fn sink(
     observer: &mut dyn Observer,
 ) -> Result<Measurements, Failure> {
     let exact = exact_load(reference, rung);
-    let (mut points, mut load, mut given) = (vec![], f64::NAN, 0.0);
-    let mut from = 0.0;
-    for look in 1..=LOOKS {
-        let share = f64::from(look) / f64::from(LOOKS);
-        run_until(simulation, share * time(rung), observer, |_| {})?;
-        // Velocities, and so impulses, are half a step behind.
-        let until = simulation.velocity_time();
-        let impulse = press.impulse();
-        load = (impulse - given) / (until - from) / (0.5 * WIDTH);
-        (given, from) = (impulse, until);
-        points.push(CurvePoint::new(
-            way(rung) / WIDTH * YOUNG / STRENGTH * smooth(share - 0.5 / f64::from(LOOKS))[0],
-            load / STRENGTH,
-            exact / STRENGTH,
-        ));
-    }
+    let beside = [exact, STRENGTH];
+    let (load, curve) = footing(rung).sink(press, simulation, observer, beside, &rung.label)?;
     let count = simulation.sets()[0].len();
     let all = (0..count).map(|p| pore_pressure(simulation, 0, p));
     let mean = all.sum::<f64>() / count as f64;
-    let curve = Curve::new(
-        format!("load over settlement, {}", rung.label),
-        [
-            "settlement over B, times Young's modulus over strength",
-            "mean pressure over strength",
-        ],
-        points,
-    );
     Ok(Measurements::of([
         Quantity::compared(LOAD, load, exact, "Pa"),
         Quantity::figure(PRESSURE, mean / load, "1"),
@@ -208,36 +168,22 @@ fn judge(runs: &Runs<'_>) -> Verdict {
     for variant in [UNDRAINED, DRAINED] {
         let own = runs.rungs.iter().filter(|rung| rung.variant == variant);
         for rung in own.clone() {
-            let load = runs.run(&rung.label).and_then(|run| run.quantity(LOAD));
-            let over = load.and_then(|load| Some(load.value / load.exact?));
-            let over = over.unwrap_or(f64::NAN);
-            let cell = (rung.cell / WIDTH).max(1.0 / 16.0);
-            let (bound, reason) = if is_drained(rung) {
+            let most = if is_drained(rung) {
                 (
-                    2.0 * cell,
+                    2.0,
                     "as in *footing*: the moving part is at most as wide as the footing and a cell on either side",
                 )
             } else {
                 (
-                    0.8 * cell,
+                    0.8,
                     "as in *footing*: five percent at h = B/16, and as much more in larger cells",
                 )
             };
             let below = "loads come from above, less two percent for water that is not yet at rest";
-            verdict.gates.extend([
-                Gate::at_most(format!("{}: {LOAD}", rung.label), over - 1.0, bound, reason),
-                Gate::at_least(
-                    format!("{}: {LOAD} over the exact one", rung.label),
-                    over,
-                    0.98,
-                    below,
-                ),
-            ]);
+            (verdict.gates).extend(footing::gates(runs, rung, WIDTH, [most, (0.98, below)]));
         }
         if own.count() > 1 {
-            let reason = "falls with h: the edge of the footing is a share of a cell";
-            let rule = order(LOAD).at_least(0.7, reason);
-            verdict.gates.push(runs.gate_of(variant, &rule));
+            verdict.gates.push(footing::order_of(runs, variant));
         }
         let table = runs.table(Some(variant), &[LOAD]);
         let title = format!("clay-footing, {variant}, uGIMP, USL, FLIP");

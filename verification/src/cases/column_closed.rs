@@ -33,11 +33,7 @@ pub static COLUMN_CLOSED: Case = Case::new(
         Size::Quick => &[10, 20],
         Size::Full => &[10, 20, 40],
     };
-    let of = |number: usize| {
-        let variant = SOILS[number].0;
-        let rungs = Rung::counted(variant, &format!("{variant} H/h"), HEIGHT, counts);
-        rungs.into_iter().map(move |rung| rung.with(number))
-    };
+    let of = |number: usize| of_soil(number, SOILS[number].0, counts);
     (0..SOILS.len()).flat_map(of).collect()
 }))
 .method(|_| Settings::new(Method::DEFAULT).courant(WET_COURANT))

@@ -21,11 +21,7 @@ pub static COLUMN_EARLY: Case = Case::new(
     "Does water that has not had the time to flow bear the undrained pressure?",
 )
 .ladder(Ladder::made(|size| {
-    let of = |number: usize| {
-        let variant = SOILS[number].0;
-        let rungs = Rung::counted(variant, &format!("{variant} H/h"), HEIGHT, &[CELLS]);
-        rungs.into_iter().map(move |rung| rung.with(number))
-    };
+    let of = |number: usize| of_soil(number, SOILS[number].0, &[CELLS]);
     let last = match size {
         Size::Quick => 1,
         Size::Full => SOILS.len(),

@@ -61,19 +61,15 @@ pub static COLUMN_MODAL: Case = Case::new(
 .no_study("a study tries all weighting functions and transfers, and water goes with uGIMP and FLIP alone")
 .no_guest("no other solver of the protocol knows pore water");
 
-fn of_soil(number: usize, counts: &[u32]) -> Vec<Rung> {
-    let (variant, ..) = SOILS[number];
-    let rungs = Rung::counted(variant, &format!("{variant} H/h"), HEIGHT, counts);
-    rungs.into_iter().map(|rung| rung.with(number)).collect()
-}
-
 /// Waves of the ramp show at 16 cells where the water flows easily: 20 there.
 fn rungs(size: Size) -> Vec<Rung> {
+    let of = |number: usize| {
+        let counts = if number == 0 { &[20, 32] } else { &[16, 32] };
+        of_soil(number, SOILS[number].0, counts)
+    };
     match size {
-        Size::Quick => of_soil(1, &[16, 32]),
-        Size::Full => (0..SOILS.len())
-            .flat_map(|number| of_soil(number, if number == 0 { &[20, 32] } else { &[16, 32] }))
-            .collect(),
+        Size::Quick => of(1),
+        Size::Full => (0..SOILS.len()).flat_map(of).collect(),
     }
 }
 
@@ -95,20 +91,15 @@ fn compare(run: &mut Run<'_>) -> Result<Measurements, Failure> {
     let exact = column.at(run.time(), MODES);
     let energy = run.simulation.energy();
     let (h, simulation) = (run.rung.cell, &*run.simulation);
-    let undrained = column.load * column.undrained_share();
-    let mut off = [0.0_f64; 2];
-    let mut points = vec![];
-    for (cell, [p, stress]) in means_over_cells(simulation, h).into_iter().enumerate() {
+    let scales = [column.load * column.undrained_share(), column.load];
+    let (off, curve) = beside_exact(run, scales, column.load, |cell| {
         let (low, high) = (cell as f64 * h, (cell + 1) as f64 * h);
-        let of_water = exact.mean_pressure(low, high);
-        off[0] = off[0].max((p - of_water).abs() / undrained);
-        off[1] = off[1].max((stress - exact.mean_effective_stress(low, high)).abs() / column.load);
-        points.push(CurvePoint::new(
+        let effective = exact.mean_effective_stress(low, high);
+        (
             0.5 * (low + high),
-            p / column.load,
-            of_water / column.load,
-        ));
-    }
+            [exact.mean_pressure(low, high), effective],
+        )
+    });
     let heights = (0..simulation.sets()[0].len()).filter_map(|p| {
         let z = simulation.initial_position(0, p)?[1];
         Some((p, z))
@@ -123,10 +114,5 @@ fn compare(run: &mut Run<'_>) -> Result<Measurements, Failure> {
         ratio(EFFECTIVE, Some(off[1])),
         Quantity::figure(LOST, (energy.remainder / energy.external_work).abs(), "1"),
     ];
-    let title = format!("pore pressure after {} s, {}", run.time(), run.rung.label);
-    let axes = ["height (m)", "pressure / load"];
-    Ok(
-        Measurements::of(quantities.into_iter().chain(top).collect::<Vec<_>>())
-            .drawn(Curve::new(title, axes, points)),
-    )
+    Ok(Measurements::of(quantities.into_iter().chain(top).collect::<Vec<_>>()).drawn(curve))
 }

@@ -117,20 +117,14 @@ fn pressure(rung: &Rung, reference: Reference, depth: f64) -> f64 {
 
 fn compare(run: &mut Run<'_>) -> Result<Measurements, Failure> {
     let (h, reference) = (run.rung.cell, run.reference);
-    let mut off = [0.0_f64; 2];
-    let mut points = vec![];
     // Two points of Gauss in each cell: the pressure is smooth.
     let gauss = 0.5 / 3.0_f64.sqrt();
-    for (cell, [p, stress]) in (means_over_cells(run.simulation, h).into_iter()).enumerate() {
+    let (off, curve) = beside_exact(run, [LOAD; 2], LOAD, |cell| {
         let middle = (cell as f64 + 0.5) * h;
         let at = |z: f64| pressure(run.rung, reference, HEIGHT - z);
         let exact = 0.5 * (at(middle - gauss * h) + at(middle + gauss * h));
-        off[0] = off[0].max((p - exact).abs() / LOAD);
-        off[1] = off[1].max((stress - (exact - LOAD)).abs() / LOAD);
-        points.push(CurvePoint::new(middle, p / LOAD, exact / LOAD));
-    }
-    let title = format!("pore pressure after {} s, {}", run.time(), run.rung.label);
-    let curve = Curve::new(title, ["height (m)", "pressure / load"], points);
+        (middle, [exact, exact - LOAD])
+    });
     Ok(Measurements::of([
         ratio(PRESSURE, Some(off[0])),
         ratio(EFFECTIVE, Some(off[1])),

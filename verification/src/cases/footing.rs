@@ -24,7 +24,7 @@
 mod pressed;
 
 use super::prelude::*;
-use super::vocabulary::moved::smooth;
+use super::vocabulary::footing::{self, Footing, LOAD, STRONGER, WRONG_STRENGTH};
 use super::vocabulary::press::Press;
 use crate::exact::bearing::Ground;
 
@@ -33,12 +33,8 @@ const YOUNG: f64 = 1e6; // Young's modulus [Pa]
 const DENSITY: f64 = 1.0; // Density [kg/m³]; it sets a time
 /// Strength without friction, cohesion, and pressure beside the footing, where there is one \[Pa\].
 const STRENGTH: f64 = 1.0;
-/// Looks at the load on the way; it is judged over the last of these intervals, in which the footing goes a ten thousandth
-/// of its way.
-const LOOKS: u32 = 40;
 
-/// Name of the load among the quantities, and of the same where it has no limit.
-const LOAD: &str = "load of the footing";
+/// The load where it has no limit.
 const SHARE: &str = "load over the exact one";
 /// The load as the pressure on B + h, half a cell more on each side.
 const WIDER: &str = "load on B + h over the exact one";
@@ -141,18 +137,14 @@ impl Variant {
         }
     }
 
-    /// Width of the half and depth of the ground \[m\], in halves of B: what moves, a tenth more aside and a half below.
-    fn extent(&self) -> [f64; 2] {
-        let [aside, deep] = self.ground().reach();
-        [1.1 * aside, 1.5 * deep].map(|reach| 0.5 * WIDTH * (2.0 * reach).ceil())
-    }
-
-    /// Distance that the footing goes \[m\]: three to four times what elastic ground would let it sink at the exact load.
-    fn way(&self) -> f64 {
-        let ground = self.ground();
-        let load = ground.bearing() - ground.surcharge;
-        let times = if self.friction == 0.0 { 3.0 } else { 4.0 };
-        times * load * WIDTH * (1.0 - self.poisson().powi(2)) / YOUNG
+    fn footing(&self) -> Footing {
+        Footing {
+            width: WIDTH,
+            ground: self.ground(),
+            young: YOUNG,
+            poisson: self.poisson(),
+            time: self.time(),
+        }
     }
 
     /// Time that it takes \[s\], in which a wave of shear runs so many times over its width: stresses by inertia are some
@@ -166,20 +158,8 @@ impl Variant {
         let speed = (YOUNG / (2.0 * (1.0 + self.poisson())) / DENSITY).sqrt();
         times * WIDTH / speed
     }
-
-    fn press(&self, cell: f64) -> Press {
-        let (way, time) = (self.way(), self.time());
-        let down = move |at: f64| -way / time * smooth(at / time)[1];
-        Press::smooth(self.extent()[1], cell, down)
-            .up_to(0.5 * WIDTH)
-            .rough(self.rough)
-    }
 }
 
-const WRONG_STRENGTH: Wrong =
-    Wrong::factor("strength", 0.75).breaks(|gate| gate.ends_with(LOAD) && !gate.contains("order"));
-const STRONGER: Wrong =
-    Wrong::factor("strength", 1.4).breaks(|gate| gate.contains("footing over the exact one"));
 const WRONG_FRICTION: Wrong = Wrong::factor("angle of friction", 0.8)
     .breaks(|gate| gate.contains("deg") && gate.ends_with(LOAD) && !gate.contains("order"))
     .spares(|gate| gate.contains("Tresca"));
@@ -227,22 +207,9 @@ fn sink(
 ) -> Result<Measurements, Failure> {
     let variant = *rung.problem::<Variant>();
     let exact = exact_load(reference, rung);
-    let (mut points, mut pressure, mut given) = (vec![], f64::NAN, 0.0);
-    let mut from = 0.0;
-    for look in 1..=LOOKS {
-        let share = f64::from(look) / f64::from(LOOKS);
-        run_until(simulation, share * variant.time(), observer, |_| {})?;
-        // Velocities, and so impulses, are half a step behind.
-        let until = simulation.velocity_time();
-        let impulse = press.impulse();
-        pressure = (impulse - given) / (until - from) / (0.5 * WIDTH);
-        (given, from) = (impulse, until);
-        points.push(CurvePoint::new(
-            variant.way() / WIDTH * YOUNG / STRENGTH * smooth(share - 0.5 / f64::from(LOOKS))[0],
-            pressure / STRENGTH,
-            exact / STRENGTH,
-        ));
-    }
+    let beside = [exact, STRENGTH];
+    let footing = variant.footing();
+    let (pressure, curve) = footing.sink(press, simulation, observer, beside, &rung.label)?;
     let wider = WIDTH / (WIDTH + rung.cell);
     let mut quantities = vec![if variant.locks() {
         Quantity::figure(SHARE, pressure / exact, "1")
@@ -250,14 +217,6 @@ fn sink(
         Quantity::compared(LOAD, pressure, exact, "Pa")
     }];
     quantities.push(Quantity::figure(WIDER, wider * pressure / exact, "1"));
-    let curve = Curve::new(
-        format!("load over settlement, {}", rung.label),
-        [
-            "settlement over B, times Young's modulus over strength",
-            "mean pressure over strength",
-        ],
-        points,
-    );
     Ok(Measurements::of(quantities).drawn(curve))
 }
 
@@ -290,40 +249,25 @@ fn judge(runs: &Runs<'_>) -> Verdict {
                 verdict.gates.push(gate);
                 continue;
             }
-            let load = runs.run(&rung.label).and_then(|run| run.quantity(LOAD));
-            let over = load.and_then(|load| Some(load.value / load.exact?));
-            let over = over.unwrap_or(f64::NAN);
-            // No finer than B/16: there the order says how the rest falls.
-            let cell = (rung.cell / WIDTH).max(1.0 / 16.0);
-            let (bound, reason) = if variant.friction == 0.0 {
+            let most = if variant.friction == 0.0 {
                 (
-                    0.8 * cell,
+                    0.8,
                     "five percent at h = B/16, and as much more in larger cells",
                 )
             } else {
                 (
-                    2.0 * cell,
+                    2.0,
                     "the moving part is at most as wide as the footing and a cell on either side",
                 )
             };
-            verdict.gates.extend([
-                Gate::at_most(format!("{}: {LOAD}", rung.label), over - 1.0, bound, reason),
-                Gate::at_least(
-                    format!("{}: {LOAD} over the exact one", rung.label),
-                    over,
-                    1.0,
-                    above,
-                ),
-            ]);
+            (verdict.gates).extend(footing::gates(runs, rung, WIDTH, [most, (1.0, above)]));
         }
         if variant.locks() {
             continue;
         }
         let table = runs.table(Some(variant.name), &[LOAD]);
         if own.count() > 1 {
-            let reason = "falls with h: the edge of the footing is a share of a cell";
-            let rule = order(LOAD).at_least(0.7, reason);
-            verdict.gates.push(runs.gate_of(variant.name, &rule));
+            (verdict.gates).push(footing::order_of(runs, variant.name));
         }
         let title = format!("footing, {}, linear, USL, FLIP", variant.name);
         verdict.tables.push((title, table));
@@ -346,7 +290,7 @@ fn judge(runs: &Runs<'_>) -> Verdict {
 
 fn scene(rung: &Rung, _: &Settings) -> Scene {
     let (h, variant) = (rung.cell, *rung.problem::<Variant>());
-    let [wide, deep] = variant.extent();
+    let [wide, deep] = variant.footing().extent();
     let cells = |length: f64| (length / h).round() as usize;
     let mut mesh = Mesh::new(
         Dimension::Two,
@@ -380,7 +324,9 @@ fn solve(
     options: &Options,
     observer: &mut dyn Observer,
 ) -> Result<RungResult, Failure> {
-    let press = Arc::new(rung.problem::<Variant>().press(rung.cell));
+    let variant = rung.problem::<Variant>();
+    let press = variant.footing().press(rung.cell).rough(variant.rough);
+    let press = Arc::new(press);
     let mut options = options.clone();
     options.conditions.push(press.clone());
     simulate(

@@ -126,10 +126,9 @@ fn solve(
     let options = options.with_condition(FarBoundary::new(h, [FAR, stands], BEYOND, moved));
     let scene = scene(rung, &Settings::new(Method::DEFAULT));
     let mut solved = simulate(scene, &options, |simulation| {
-        run_until(simulation, (1.0 - LOOK) * end, observer, |_| ())?;
-        let (from, given) = (simulation.velocity_time(), press.impulse());
-        run_until(simulation, end, observer, |_| ())?;
-        let load = (press.impulse() - given) / (simulation.velocity_time() - from);
+        let mut load = f64::NAN;
+        let looks = [(1.0 - LOOK) * end, end];
+        press.forces(simulation, looks, observer, |force| load = force)?;
         let known = half_space.punch_load([SUNK, PUNCH]);
         let mut stress = vec![];
         for p in 0..simulation.sets()[0].len() {

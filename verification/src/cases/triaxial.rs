@@ -10,7 +10,6 @@
 //! `proctor verify triaxial`.
 
 use super::prelude::*;
-use super::vocabulary::moved::smooth;
 use super::vocabulary::press::Press;
 
 const RADIUS: f64 = 1.0; // Radius [m]
@@ -116,17 +115,15 @@ fn solve(
     observer: &mut dyn Observer,
 ) -> Result<RungResult, Failure> {
     let (way, time) = (shortening() * HEIGHT, time());
-    let down = move |t: f64| -way / time * smooth(t / time)[1];
-    let press = Arc::new(Press::smooth(HEIGHT, rung.cell, down));
+    let press = Arc::new(Press::from_rest(HEIGHT, rung.cell, [way, time]));
     let mut options = options.clone();
     options.displacement = true;
     options.conditions.push(press.clone());
     let scene = scene(rung, &Settings::new(Method::DEFAULT));
     let mut solved = simulate(scene, &options, |simulation| {
-        run_until(simulation, (1.0 - LOOKS) * time, observer, |_| {})?;
-        let (from, given) = (simulation.velocity_time(), press.impulse());
-        run_until(simulation, time, observer, |_| {})?;
-        let force = (press.impulse() - given) / (simulation.velocity_time() - from);
+        let mut force = f64::NAN;
+        let looks = [(1.0 - LOOKS) * time, time];
+        press.forces(simulation, looks, observer, |last| force = last)?;
         found(simulation, force / (PI * RADIUS * RADIUS))
     })?;
     refer(rung, reference, &mut solved);

@@ -40,7 +40,7 @@ pub(super) static PATH: Plan = Plan::new(
 pub(super) fn pressed(rung: &Rung) -> Guest {
     let h = rung.cell;
     let exact = CLAY.ground().bearing();
-    let [wide, deep] = CLAY.extent();
+    let [wide, deep] = CLAY.footing().extent();
     let mut mesh = Mesh::new(
         Dimension::Two,
         [0.0; 3],

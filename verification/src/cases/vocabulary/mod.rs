@@ -1,6 +1,7 @@
 //! Vocabulary of the cases: nouns that several of them need.
 
 pub mod far_boundary;
+pub mod footing;
 pub mod incline;
 pub mod mortar;
 pub mod moved;

@@ -3,7 +3,11 @@
 use std::collections::BTreeMap;
 use std::sync::Mutex;
 
-use proctor_scene::simulation::{Condition, FieldNodes};
+use proctor_scene::simulation::{Condition, FieldNodes, Simulation};
+
+use super::moved::smooth;
+use super::stepping::run_until;
+use crate::study::{Failure, Observer};
 
 /// Nodes of one height that get one velocity along y, as those of a boundary plane do: particles feel how it changes, and
 /// the force of what is pressed works.
@@ -42,6 +46,11 @@ impl Press {
         }
     }
 
+    /// A smooth plane as wide as the mesh that goes down by a way \[m\] in a time \[s\], from rest to rest.
+    pub fn from_rest(height: f64, cell: f64, [way, time]: [f64; 2]) -> Self {
+        Self::smooth(height, cell, move |at| -way / time * smooth(at / time)[1])
+    }
+
     /// The same up to a coordinate x \[m\], with the node there.
     pub fn up_to(self, reach: f64) -> Self {
         Self { reach, ..self }
@@ -65,6 +74,28 @@ impl Press {
         self.impulses
             .lock()
             .map_or(f64::NAN, |impulses| impulses.values().sum())
+    }
+
+    /// Runs to each of these times \[s\] in turn, and hands on the mean force downwards since the one before \[N\].
+    ///
+    /// # Errors
+    /// If a step fails.
+    pub fn forces(
+        &self,
+        simulation: &mut Simulation,
+        times: impl IntoIterator<Item = f64>,
+        observer: &mut dyn Observer,
+        mut each: impl FnMut(f64),
+    ) -> Result<(), Failure> {
+        let (mut from, mut given) = (0.0, 0.0);
+        for time in times {
+            run_until(simulation, time, observer, |_| {})?;
+            // Velocities, and so impulses, are half a step behind.
+            let (until, impulse) = (simulation.velocity_time(), self.impulse());
+            each((impulse - given) / (until - from));
+            (from, given) = (until, impulse);
+        }
+        Ok(())
     }
 
     fn keep(&self, position: [f64; 3], impulse: f64) {

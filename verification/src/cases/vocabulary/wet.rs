@@ -5,6 +5,7 @@ use proctor_scene::{History, Permeability, PlaneCondition, PoreWater, Scene, Tra
 
 use super::moved::smooth;
 use super::parts::{body, cells, elastic, plane_scene, rectangle, strip};
+use crate::case::{Curve, CurvePoint, Run, Rung};
 use crate::exact::two_phase_column::TwoPhaseColumn;
 use crate::settings::Settings;
 
@@ -26,6 +27,12 @@ pub const CONDUCTIVITY_GRAVITY: f64 = 10.0;
 pub const WET_COURANT: f64 = 0.35;
 const AIR: usize = 2; // Empty cells above
 const ROWS: u32 = 4000; // Intervals of the record of a load
+
+/// Rungs of the soil of that number among those of a case, by the cells over the height.
+pub fn of_soil(number: usize, variant: &'static str, counts: &[u32]) -> Vec<Rung> {
+    let rungs = Rung::counted(variant, &format!("{variant} H/h"), HEIGHT, counts);
+    rungs.into_iter().map(|rung| rung.with(number)).collect()
+}
 
 /// Water in soil of a porosity, with a conductivity \[m/s\].
 pub fn pore_water(porosity: f64, conductivity: f64) -> PoreWater {
@@ -123,4 +130,29 @@ pub fn means_over_cells(simulation: &Simulation, h: f64) -> Vec<[f64; 2]> {
     }
     let mean = |(sum, particles): &([f64; 2], f64)| sum.map(|s| s / particles);
     sums.iter().map(mean).collect()
+}
+
+/// Means over cells beside exact ones: the largest differences of pore pressure and effective stress, over a scale each \[Pa\], and
+/// the curve of the pressure over a load \[Pa\]. A cell has a height \[m\] and an exact pair.
+pub fn beside_exact(
+    run: &Run<'_>,
+    scales: [f64; 2],
+    load: f64,
+    exact: impl Fn(usize) -> (f64, [f64; 2]),
+) -> ([f64; 2], Curve) {
+    let mut off = [0.0_f64; 2];
+    let mut points = vec![];
+    let means = means_over_cells(run.simulation, run.rung.cell);
+    for (cell, found) in means.into_iter().enumerate() {
+        let (height, exact) = exact(cell);
+        for k in 0..2 {
+            off[k] = off[k].max((found[k] - exact[k]).abs() / scales[k]);
+        }
+        points.push(CurvePoint::new(height, found[0] / load, exact[0] / load));
+    }
+    let title = format!("pore pressure after {} s, {}", run.time(), run.rung.label);
+    (
+        off,
+        Curve::new(title, ["height (m)", "pressure / load"], points),
+    )
 }
