@@ -1,41 +1,43 @@
 //! The first problem of the mill that misses a gate: the mill alone, for seeded faults (`scripts/faults --mill`).
 //!
-//!     cargo run --release --package proctor-verification --example mill -- SEED COUNT SECONDS [NUMBER ...]
+//!     cargo run --release --package proctor-verification --example mill -- SEED SECONDS NUMBER|FIRST..END ...
 //!
-//! Judges the problems 0 to COUNT of a seed but for those of these numbers, on all processors, until the first miss or until
-//! the seconds are over. Exit code 0: none missed; 1: one did, and it is named; 2: wrong arguments.
+//! Judges the problems of these numbers of a seed, in their order, on all processors, until the first miss or until the seconds
+//! are over. Prints a line for each: errors and gates. Exit code 0: none missed; 1: one did, and the last line names it; 2: wrong
+//! arguments.
 
 use std::process::ExitCode;
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
 use std::thread;
 use std::time::{Duration, Instant};
 
+use proctor_verification::mill::expected::Gate;
 use proctor_verification::mill::{self, Answer};
 
 fn main() -> ExitCode {
-    let numbers: Vec<u64> = (std::env::args().skip(1))
-        .map_while(|word| word.parse().ok())
-        .collect();
-    let [seed, count, seconds, ref left_out @ ..] = numbers[..] else {
-        eprintln!("accepted: SEED COUNT SECONDS [NUMBER ...], whole numbers");
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    let Some((seed, seconds, numbers)) = read(&words) else {
+        eprintln!(
+            "found {words:?}; accepted: SEED SECONDS NUMBER|FIRST..END ..., whole numbers, as in 7 300 0..40"
+        );
         return ExitCode::from(2);
     };
-    let (begun, next) = (Instant::now(), AtomicU64::new(0));
+    let (begun, next) = (Instant::now(), AtomicUsize::new(0));
     let late = || begun.elapsed() > Duration::from_secs(seconds);
     let (sender, receiver) = mpsc::channel();
     let mut judged = 0;
     let miss = thread::scope(|scope| {
         for _ in 0..thread::available_parallelism().map_or(1, usize::from) {
-            let (sender, next) = (sender.clone(), &next);
+            let (sender, next, numbers) = (sender.clone(), &next, &numbers);
             scope.spawn(move || {
                 while !late() {
-                    let number = next.fetch_add(1, Ordering::Relaxed);
-                    if left_out.contains(&number) {
-                        continue;
-                    }
-                    let ended = number >= count;
-                    if ended || sender.send(mill::answer(seed, number)).is_err() {
+                    let Some(&number) = numbers.get(next.fetch_add(1, Ordering::Relaxed)) else {
+                        return;
+                    };
+                    let (begun, answer) = (Instant::now(), mill::answer(seed, number));
+                    let told = sender.send((number, answer, begun.elapsed().as_secs_f64()));
+                    if told.is_err() {
                         return;
                     }
                 }
@@ -44,10 +46,13 @@ fn main() -> ExitCode {
         drop(sender);
         // A number whose draws were all refused has no problem and counts as judged.
         let mut misses = (receiver.into_iter())
-            .inspect(|_| judged += 1)
-            .filter_map(|answer| answer.ok().filter(Answer::misses));
+            .inspect(|(number, answer, seconds)| {
+                judged += 1;
+                println!("problem {number}: {}, {seconds:.2} s", line(answer));
+            })
+            .filter_map(|(_, answer, _)| answer.ok().filter(Answer::misses));
         let miss = misses.next();
-        next.store(count, Ordering::Relaxed);
+        next.store(numbers.len(), Ordering::Relaxed);
         miss
     });
     let seconds = begun.elapsed().as_secs_f64();
@@ -55,19 +60,65 @@ fn main() -> ExitCode {
         println!("no miss in {judged} problems, {seconds:.1} s");
         return ExitCode::SUCCESS;
     };
-    let (number, problem) = (answer.number, &answer.problem);
     let missed: Vec<_> = (answer.gates.iter())
         .filter(|gate| !gate.holds())
         .map(|gate| gate.what)
         .collect();
-    let why = answer.found.err().unwrap_or_else(|| missed.join(", "));
-    let (family, law, method) = (
-        problem.family.word(),
-        problem.material.kind.word(),
-        problem.method,
-    );
     println!(
-        "MISS: problem {number}, {family}, {law}, {method}: {why}; {judged} judged, {seconds:.1} s"
+        "MISS: problem {}, {}: {}; {judged} judged, {seconds:.1} s",
+        answer.number,
+        kind(&answer),
+        answer.found.err().unwrap_or_else(|| missed.join(", "))
     );
     ExitCode::FAILURE
+}
+
+/// Seed, seconds and numbers of problems.
+fn read(words: &[String]) -> Option<(u64, u64, Vec<u64>)> {
+    let [seed, seconds, rest @ ..] = words else {
+        return None;
+    };
+    let mut numbers = vec![];
+    for word in rest {
+        match word.split_once("..") {
+            Some((first, end)) => numbers.extend(first.parse::<u64>().ok()?..end.parse().ok()?),
+            None => numbers.push(word.parse().ok()?),
+        }
+    }
+    let is_given = !numbers.is_empty();
+    is_given.then_some((seed.parse().ok()?, seconds.parse().ok()?, numbers))
+}
+
+/// Family, law and method of a problem.
+fn kind(answer: &Answer) -> String {
+    let problem = &answer.problem;
+    let (family, law) = (problem.family.word(), problem.material.kind.word());
+    format!("{family}, {law}, {}", problem.method)
+}
+
+/// Problem, errors on its ladder and gates.
+fn line(answer: &Result<Answer, Vec<String>>) -> String {
+    let Ok(answer) = answer else {
+        return "all draws refused".to_owned();
+    };
+    let refused = answer.refused.len();
+    let found = match &answer.found {
+        Ok(errors) => (errors.iter())
+            .flat_map(|rung| {
+                [rung.displacement, rung.stress]
+                    .into_iter()
+                    .chain(rung.variable)
+            })
+            .map(|error| format!("{error:e}"))
+            .collect::<Vec<_>>()
+            .join(" "),
+        Err(reason) => reason.clone(),
+    };
+    let value = |gate: &Gate| format!("{} {:.4} of {}", gate.what, gate.value, gate.bound);
+    let gates: Vec<_> = answer.gates.iter().map(value).collect();
+    format!(
+        "{}, {refused} refused; errors {found}; {}",
+        kind(answer),
+        gates.join("; ")
+    )
 }
