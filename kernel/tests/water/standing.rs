@@ -116,7 +116,7 @@ fn the_work_of_the_water_is_booked() {
     let volume = simulation.mass() / (0.5 * WATER);
     let exact = 0.5 * WATER * volume * G * rose;
     assert!(exact > 0.0, "{exact}");
-    let left = energy.remainder.abs() / energy.external_work;
+    let left = energy.remainder.abs() / exact;
     assert!(left < 1e-2, "{left}");
     let off = (energy.kinetic / exact - 1.0).abs();
     assert!(off < 1e-2, "{} {exact}", energy.kinetic);
