@@ -57,11 +57,16 @@ pub fn problem(seed: u64, number: u64, attempt: u64) -> Result<Problem, String> 
         kind,
         method: method(&mut dice, family, kind),
     };
-    of(
-        &mut dice,
-        &choice,
-        format!("{}-{seed}-{number}", family.word()),
-    )
+    let name = format!("{}-{seed}-{number}", family.word());
+    let mut problem = of(&mut dice, &choice, name)?;
+    // Where all edges of a cell are as long, a length of the wrong axis is the right one.
+    let may_be_oblong = axes == 2
+        && matches!(family, Family::Box | Family::Affine)
+        && matches!(kind, Kind::NeoHookean | Kind::Hencky | Kind::Elastic);
+    if may_be_oblong && dice.chance(0.4) {
+        problem.parts[dice.whole(0, 1)] = 2;
+    }
+    Ok(problem)
 }
 
 /// Choices of that seed and number; `attempt` of the draws before it were refused.
@@ -103,6 +108,7 @@ pub fn of(dice: &mut Dice, choice: &Choice, name: String) -> Result<Problem, Str
         particles_per_cell: particles_per_cell(choice),
         share_of_step: SHARE_OF_STEP,
         ladder,
+        parts: [1; 3],
         fastest: 0.0,
     };
     problem.fastest = solvable(&problem)?;

@@ -91,6 +91,8 @@ pub struct Problem {
     pub share_of_step: f64,
     /// Cells per metre, coarse to fine.
     pub ladder: Vec<usize>,
+    /// Cells on each axis for one of the ladder: 1, or 2 where cells are oblong.
+    pub parts: [usize; 3],
     /// Fastest wave of the moved body and fastest particle together \[m/s\].
     pub fastest: f64,
 }
@@ -153,9 +155,10 @@ impl Problem {
 
     fn mesh(&self, cells: usize) -> Mesh {
         let dimension = self.dimension();
-        let h = 1.0 / cells as f64;
+        let counts = self.parts.map(|parts| parts * cells);
+        let h = counts.map(|count| 1.0 / count as f64);
         if self.family == Family::Box {
-            let mut mesh = Mesh::new(dimension, [0.0; 3], [h; 3], [cells; 3]);
+            let mut mesh = Mesh::new(dimension, [0.0; 3], h, counts);
             for planes in &mut mesh.planes[..self.axes()] {
                 *planes = [PlaneCondition::Fixed; 2];
             }
@@ -166,9 +169,9 @@ impl Problem {
         let origin = low.map(|x| ((x * coarse).floor() - MARGIN) / coarse);
         let count = std::array::from_fn(|axis| {
             let upper = ((high[axis] * coarse).ceil() + MARGIN) / coarse;
-            ((upper - origin[axis]) * cells as f64).round() as usize
+            ((upper - origin[axis]) * counts[axis] as f64).round() as usize
         });
-        let mut mesh = Mesh::new(dimension, origin, [h; 3], count);
+        let mut mesh = Mesh::new(dimension, origin, h, count);
         for planes in &mut mesh.planes[..self.axes()] {
             *planes = [PlaneCondition::Free; 2];
         }
@@ -182,10 +185,15 @@ impl Problem {
         }
     }
 
+    /// Cells per metre along the axis that has the most, on the rung with `cells`.
+    fn most(&self, cells: usize) -> f64 {
+        (self.parts.into_iter().max().unwrap_or(1) * cells) as f64
+    }
+
     /// The way that the fastest wave goes in the largest stable step on cells of one part in `cells` of a metre \[m\].
     #[must_use]
     pub fn way(&self, cells: usize) -> f64 {
-        self.method.stability_number(self.particles_per_cell) / cells as f64
+        self.method.stability_number(self.particles_per_cell) / self.most(cells)
     }
 
     /// Equal steps in cells of one part in `cells` of a metre: their length \[s\] and number.
@@ -200,7 +208,7 @@ impl Problem {
         };
         let courant = share * self.method.stability_number(settings.particles_per_cell);
         let (_, steps) =
-            (settings.courant(courant)).equal_steps(self.end, 1.0 / cells as f64, self.fastest);
+            (settings.courant(courant)).equal_steps(self.end, 1.0 / self.most(cells), self.fastest);
         (self.end / steps as f64, steps as usize)
     }
 

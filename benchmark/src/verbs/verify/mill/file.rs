@@ -74,6 +74,9 @@ pub fn write(problem: &Problem) -> Value {
     if problem.share_of_step != SHARE_OF_STEP {
         written["method"]["share_of_step"] = json!(problem.share_of_step);
     }
+    if problem.parts != [1; 3] {
+        written["parts"] = json!(problem.parts);
+    }
     written
 }
 
@@ -155,6 +158,7 @@ fn problem(value: &Value) -> Result<Problem, String> {
         particles_per_cell: particles_per_cell(value)?,
         share_of_step: share_of_step(value)?,
         ladder,
+        parts: parts(value)?,
         fastest: 0.0,
     })
 }
@@ -240,6 +244,18 @@ fn particles_per_cell(value: &Value) -> Result<usize, String> {
         count => Err(format!(
             "`method.particles_per_cell` is {count}; accepted: 1 to {MOST_PARTICLES}"
         )),
+    }
+}
+
+/// Cells on each axis for one of the ladder; one where a file has none.
+fn parts(value: &Value) -> Result<[usize; 3], String> {
+    let found = at::<Option<[usize; 3]>>(value, "parts")?.unwrap_or([1; 3]);
+    if found.iter().all(|count| (1..=2).contains(count)) {
+        Ok(found)
+    } else {
+        Err(format!(
+            "`parts` is {found:?}; accepted: 1 or 2 on each axis"
+        ))
     }
 }
 
