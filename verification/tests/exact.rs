@@ -37,6 +37,7 @@ mod sliding;
 mod softening_bar;
 mod sound;
 mod special;
+mod squeezed_layer;
 mod step_bar;
 mod sudden_weight;
 mod swirl;

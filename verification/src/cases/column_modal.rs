@@ -58,7 +58,19 @@ pub static COLUMN_MODAL: Case = Case::new(
     &[PRESSURE, EFFECTIVE, TOP],
 )])
 .wrong_references(&[WRONG_CONDUCTIVITY, WRONG_MODULUS])
-.no_study("a study tries all weighting functions and transfers, and water goes with uGIMP and FLIP alone")
+.studies(&[Plan::new(
+    Ladder::made(|size| match size {
+        Size::Quick => of_soil(1, &[10, 20]),
+        Size::Full => of_soil(1, &[10, 20, 40]),
+    }),
+    &[
+        Measure::new("displacement", TOP),
+        Measure::new("pressure", PRESSURE),
+        Measure::new("stress", EFFECTIVE),
+    ],
+    1,
+)
+.trying(with_water)])
 .no_guest("no other solver of the protocol knows pore water");
 
 /// Waves of the ramp show at 16 cells where the water flows easily: 20 there.

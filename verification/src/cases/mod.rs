@@ -42,6 +42,7 @@ mod hydrostatic_jump;
 mod inclined_block;
 mod inclined_two_blocks;
 mod incompressible_box;
+mod infinite_slope;
 mod ironing;
 mod plastic_wave;
 mod prelude;
@@ -72,6 +73,7 @@ mod triaxial;
 mod undrained_patch;
 mod vocabulary;
 mod vortex;
+mod xie_leo;
 mod yielding_column;
 mod yielding_cylinder;
 
@@ -169,7 +171,9 @@ list! {
     column_terzaghi::[COLUMN_TERZAGHI],
     hydrostatic_jump::[HYDROSTATIC_JUMP],
     seepage::[SEEPAGE],
+    infinite_slope::[INFINITE_SLOPE],
     undrained_patch::[UNDRAINED_PATCH],
+    xie_leo::[XIE_LEO],
     drawdown::[DRAWDOWN],
     clay_footing::[CLAY_FOOTING],
     breathing::[BREATHING],

@@ -43,7 +43,15 @@ pub static UNDRAINED_PATCH: Case = Case::new(
     error(PATTERN).at_most(5e-2, "five percent of the load: a chequered pressure has four times its own size"),
 ])
 .wrong_references(&[WRONG_SHEAR, WRONG_LOAD])
-.no_study("a study tries all weighting functions and transfers, and water goes with uGIMP and FLIP alone")
+.studies(&[Plan::new(
+    Ladder::cells("layer", "L/h", LENGTH, &[8, 16], &[8, 16, 32]),
+    &[
+        Measure::new("displacement", SETTLEMENT),
+        Measure::new("pressure", PRESSURE),
+    ],
+    2,
+)
+.trying(with_water)])
 .no_guest("no other solver of the protocol knows pore water");
 
 /// Confined modulus of the skeleton \[Pa\].

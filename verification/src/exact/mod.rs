@@ -40,6 +40,7 @@ pub mod sliding;
 pub mod softening_bar;
 pub mod sound;
 pub mod special;
+pub mod squeezed_layer;
 pub mod step_bar;
 pub mod sudden_weight;
 pub mod swirl;

@@ -3,6 +3,7 @@
 pub mod far_boundary;
 pub mod footing;
 pub mod incline;
+pub mod lid;
 pub mod mortar;
 pub mod moved;
 pub mod parts;

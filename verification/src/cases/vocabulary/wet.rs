@@ -1,13 +1,16 @@
 //! A column of soil with water in its pores: its scene, its means over cells, and the water beside the skeleton.
 
 use proctor_scene::simulation::Simulation;
-use proctor_scene::{History, Permeability, PlaneCondition, PoreWater, Scene, Traction};
+use proctor_scene::{
+    History, Permeability, PlaneCondition, PoreWater, Scene, StressScheme, Traction, TransferKind,
+    Weighting,
+};
 
 use super::moved::smooth;
 use super::parts::{body, cells, elastic, plane_scene, rectangle, strip};
-use crate::case::{Curve, CurvePoint, Run, Rung};
+use crate::case::{Curve, CurvePoint, Run, Rung, Size};
 use crate::exact::two_phase_column::TwoPhaseColumn;
-use crate::settings::Settings;
+use crate::settings::{Method, Settings};
 
 /// Height \[m\].
 pub const HEIGHT: f64 = 1.0;
@@ -32,6 +35,13 @@ const ROWS: u32 = 4000; // Intervals of the record of a load
 pub fn of_soil(number: usize, variant: &'static str, counts: &[u32]) -> Vec<Rung> {
     let rungs = Rung::counted(variant, &format!("{variant} H/h"), HEIGHT, counts);
     rungs.into_iter().map(|rung| rung.with(number)).collect()
+}
+
+/// Methods that studies of soil with water try: those that water goes with.
+pub fn with_water(_: Size, method: Method) -> bool {
+    method.weighting == Weighting::UniformGimp
+        && method.transfer == TransferKind::Flip
+        && method.scheme != StressScheme::Usf
 }
 
 /// Water in soil of a porosity, with a conductivity \[m/s\].
