@@ -8,7 +8,7 @@ use common::{
 };
 use proctor_kernel::layout::Layout;
 use proctor_scene::simulation::{Options, Simulation};
-use proctor_scene::{Dimension, Scene, StressScheme, TimeStep};
+use proctor_scene::{Dimension, Scene, StandingWater, StressScheme, TimeStep};
 
 /// A block that flies across cells, so that it is sorted again and again. Its length along y (2D) or z (3D), the axes along
 /// which nodes follow each other in memory, is given: the planes and rows that it reaches are the same whatever it is.
@@ -70,6 +70,27 @@ fn no_step_takes_memory() {
                 let count = requests(&flight(dimension, scheme, 12), 100, threads);
                 assert_eq!(count, 0, "{dimension:?} {scheme:?}, {threads} threads");
             }
+        }
+    }
+}
+
+/// Nor where water stands beside the body.
+#[test]
+fn no_step_under_water_takes_memory() {
+    for dimension in DIMENSIONS {
+        for threads in [1, 2] {
+            let mut scene = flight(dimension, StressScheme::Usl, 12);
+            // As heavy as the water, so that it flies on.
+            let density = scene.materials[0].density;
+            scene.gravity[dimension.axes() - 1] = -0.1;
+            scene.standing_waters = vec![StandingWater {
+                level: [3.0, 0.0, 0.0].into(),
+                density,
+                bodies: vec![],
+                shore: None,
+            }];
+            let count = requests(&scene, 100, threads);
+            assert_eq!(count, 0, "{dimension:?}, {threads} threads");
         }
     }
 }

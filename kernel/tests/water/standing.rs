@@ -274,6 +274,41 @@ fn threads_and_a_start_anew_change_no_bit() {
     assert_eq!(hashes[0], hashes[1]);
 }
 
+/// Two bodies that share the nodes between them, cut into as many slabs as their planes allow.
+#[test]
+fn slabs_of_wide_bodies_change_no_bit() {
+    for (dimension, averaged) in [
+        (Dimension::Two, false),
+        (Dimension::Two, true),
+        (Dimension::Three, false),
+    ] {
+        let mut scene = empty(dimension, [24, 8, 6], 0.1);
+        let up = dimension.axes() - 1;
+        scene.gravity[up] = -G;
+        scene.materials[0].density = 0.5 * WATER;
+        scene.mesh.planes[up][0] = PlaneCondition::Sliding;
+        scene.bodies = [(1, [0.21, 1.13]), (2, [1.13, 1.98])]
+            .map(|(id, [from, to])| body(id, cuboid([from, 0.0, 0.0], [to, 0.43, 0.37])))
+            .to_vec();
+        if averaged {
+            scene.volumetric_strain = VolumetricStrain::CellAverage;
+        }
+        scene.standing_waters = vec![standing([0.31, 0.0, 0.0])];
+        let hashes = [1, 2, 5].map(|threads| {
+            let options = Options {
+                threads: Some(threads),
+                least_share: Some(1),
+                ..options()
+            };
+            let mut simulation = Simulation::new(&scene, &options).expect("the scene is sound");
+            run(&mut simulation, 60);
+            simulation.state_hash()
+        });
+        assert_eq!(hashes[0], hashes[1], "{dimension:?} {averaged}");
+        assert_eq!(hashes[0], hashes[2], "{dimension:?} {averaged}");
+    }
+}
+
 #[test]
 fn what_has_no_form_is_refused_by_name() {
     let found = |change: fn(&mut Scene)| {

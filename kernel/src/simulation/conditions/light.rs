@@ -121,15 +121,6 @@ impl<'a> Masses<'a> {
                 }
             });
         }
-        loads.sort_by_key(|load| load.node);
-        loads.dedup_by(|later, first| {
-            let same = later.node == first.node;
-            if same {
-                for axis in 0..3 {
-                    first.force[axis] += later.force[axis];
-                }
-            }
-            same
-        });
+        NodeForce::add_up(loads);
     }
 }

@@ -229,19 +229,8 @@ fn nodal(settings: &CycleSettings, shape: &GridShape) -> Result<NodalLoads, Setu
             changing.push((load.traction.clone(), areas));
         }
     }
-    all.sort_by_key(|l| l.node);
-    let mut merged: Vec<NodeForce> = vec![];
-    for load in all {
-        match merged.last_mut() {
-            Some(last) if last.node == load.node => {
-                for axis in 0..3 {
-                    last.force[axis] += load.force[axis];
-                }
-            }
-            _ => merged.push(load),
-        }
-    }
-    let place = |node: usize| merged.partition_point(|load| load.node < node);
+    NodeForce::add_up(&mut all);
+    let place = |node: usize| all.partition_point(|load| load.node < node);
     let changing = changing
         .into_iter()
         .map(|(traction, areas)| VaryingTraction {
@@ -250,11 +239,11 @@ fn nodal(settings: &CycleSettings, shape: &GridShape) -> Result<NodalLoads, Setu
                 .map(|(node, area)| (place(node), area))
                 .collect(),
         });
-    let nodes = merged.iter().map(|load| load.node);
+    let nodes = all.iter().map(|load| load.node);
     Ok(NodalLoads {
         changing: changing.collect(),
         of_tractions: nodes.filter(|node| !points.contains(node)).collect(),
-        steady: merged,
+        steady: all,
     })
 }
 

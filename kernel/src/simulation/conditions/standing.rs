@@ -9,21 +9,26 @@
 //!
 //! Pore water shares the force at the node, n of it, and the skeleton has the rest: the total traction is the pressure, and
 //! the water in the pores meets the same pressure at the surface. Fields are folded at boundary planes as the pressure of the pores is.
+//!
+//! Each slab of planes sums up what the particles that reach it give its nodes, in the order of the particles: how the planes are cut
+//! changes no bit.
+
+mod sums;
 
 use super::{ConditionResult, ConditionType};
-use crate::grid::{ActiveRows, GHOSTS_BELOW, GridShape, Line};
+use crate::grid::{GridShape, Line};
 use crate::layout::Layout;
 use crate::model::{CycleSettings, PlaneCondition, Shore, StandingWater, Vector, VolumetricStrain};
-use crate::particles::ParticleSet;
 use crate::simulation::context::{Condition, FieldForces, FieldNodes, NodalConditions};
 use crate::simulation::fields::Owner;
 use crate::simulation::history::value;
 use crate::simulation::step_view::StepView;
-use crate::simulation::values::BodyRun;
 use crate::simulation::water::porosity_at;
-use crate::stage::solve::{EmptyNode, NodeForce, PlaneSums};
-use crate::weights::{Family, axis_weights_at};
+use crate::stage::solve::{EmptyNode, PlaneSums};
+use crate::weights::Family;
+use smallvec::SmallVec;
 use std::sync::Arc;
+use sums::{NodeSums, half_length};
 
 /// Standing water.
 pub(super) const STANDING_WATER: ConditionType = ConditionType {
@@ -78,22 +83,29 @@ impl Condition for StandingWaters {
     fn prescribe(&self, view: &StepView<'_>, nodal: &mut NodalConditions) {
         let [before, after] = nodal.half_steps;
         let pressures = self.at(0.5 * (before + after));
-        for (index, body) in view.bodies.iter().enumerate() {
-            let on_it: Vec<_> = (pressures.iter())
-                .filter(|one| one.bodies.is_empty() || one.bodies.contains(&body.id))
-                .collect();
-            if on_it.is_empty() || body.motion.is_some() {
+        let grid = view.grid;
+        (nodal.standing).resize_with(grid.fields.len(), FieldForces::default);
+        for (number, (field, pressed)) in grid.fields.iter().zip(&mut nodal.standing).enumerate() {
+            pressed.clear();
+            let bodies = || {
+                let all = view.bodies.iter().enumerate();
+                all.filter(move |(index, body)| {
+                    body.motion.is_none() && grid.number_of(*index) == number
+                })
+            };
+            let is_pressed =
+                bodies().any(|(_, body)| pressures.iter().any(|one| one.acts_on(body.id)));
+            if field.owner == Owner::Water || !is_pressed {
                 continue;
             }
-            let number = view.grid.number_of(index);
-            let mut sums = NodeSums::new(&view.grid.shape, &view.grid.fields[number].rows);
-            self.press(view, index, &on_it, &mut sums);
-            sums.fold(&self.images);
-            let forces = sums.forces();
-            match nodal.standing.iter_mut().find(|one| one.number == number) {
-                Some(field) => merge(&mut field.forces, &forces),
-                None => nodal.standing.push(FieldForces { number, forces }),
-            }
+            let mut all = NodeSums::of(&grid.shape, &field.rows, pressed);
+            view.team().each(all.of_slabs(&grid.slabs), |mut sums| {
+                for (index, body) in bodies() {
+                    let acting = pressures.iter().filter(|one| one.acts_on(body.id));
+                    self.press(view, index, &acting.collect(), &mut sums);
+                }
+            });
+            all.fold(&self.images);
         }
     }
 
@@ -115,6 +127,9 @@ impl Condition for StandingWaters {
     }
 }
 
+/// Waters of a scene; more than these take memory in each step.
+const FEW: usize = 8;
+
 /// A water at a time.
 struct WaterPressure<'a> {
     bodies: &'a [i64],
@@ -126,6 +141,11 @@ struct WaterPressure<'a> {
 }
 
 impl WaterPressure<'_> {
+    /// True if it stands beside the body of this identifier.
+    fn acts_on(&self, body: i64) -> bool {
+        self.bodies.is_empty() || self.bodies.contains(&body)
+    }
+
     /// Pressure at a place \[Pa\] and its gradient \[Pa/m\], as means over a piece of half the length `half` \[m\] along each axis:
     /// so the gradients of pieces side by side sum up to the pressure.
     fn at(&self, x: &Vector, half: &Vector) -> (f64, Vector) {
@@ -158,7 +178,7 @@ impl WaterPressure<'_> {
 
 impl StandingWaters {
     /// The waters at a time \[s\].
-    fn at(&self, time: f64) -> Vec<WaterPressure<'_>> {
+    fn at(&self, time: f64) -> SmallVec<[WaterPressure<'_>; FEW]> {
         let (along, gravity) = self.gravity;
         let waters = self.waters.iter().map(|water| WaterPressure {
             bodies: &water.bodies,
@@ -169,17 +189,17 @@ impl StandingWaters {
         waters.collect()
     }
 
-    /// Adds what the waters give a body to the nodes.
+    /// Adds what the waters give a body to the nodes of a slab.
     fn press(
         &self,
         view: &StepView<'_>,
         index: usize,
-        waters: &[&WaterPressure<'_>],
+        waters: &SmallVec<[&WaterPressure<'_>; FEW]>,
         sums: &mut NodeSums<'_>,
     ) {
         let (set, body) = (&view.particles[index], &view.bodies[index]);
         let (origin, axes) = (view.origin(), view.grid.shape.axes);
-        for p in 0..set.len() {
+        for p in sums.particles(set, view.stencil) {
             let local = set.position(p);
             let x: Vector = std::array::from_fn(|axis| local[axis] + origin[axis]);
             let mut half = [0.0; 3];
@@ -215,176 +235,6 @@ impl StandingWaters {
 /// Half-length in cells of the piece that stands for a particle without a domain: that of two to a cell.
 const OF_POINTS: f64 = 0.25;
 
-/// Half-length of the domain of a particle along an axis in cells.
-fn half_length(set: &ParticleSet, body: &BodyRun, axis: usize, p: usize) -> f64 {
-    let own = body.mapping.half_length_column;
-    own.map_or(body.mapping.half_length[axis], |column| {
-        set.columns[column + axis][p]
-    })
-}
-
-/// Forces on the nodes of a field that are in use.
-struct NodeSums<'a> {
-    shape: &'a GridShape,
-    rows: &'a ActiveRows,
-    /// Place of the first node of each row.
-    starts: Vec<usize>,
-    forces: Vec<Vector>,
-}
-
-impl<'a> NodeSums<'a> {
-    fn new(shape: &'a GridShape, rows: &'a ActiveRows) -> Self {
-        let mut count = 0;
-        let mut starts = vec![0; shape.nodes[0] * shape.nodes[1]];
-        for plane in 0..shape.nodes[0] {
-            for row in rows.in_plane(plane) {
-                starts[plane * shape.nodes[1] + row] = count;
-                count += rows.span(plane, row).len();
-            }
-        }
-        Self {
-            shape,
-            rows,
-            starts,
-            forces: vec![[0.0; 3]; count],
-        }
-    }
-
-    /// Place of a node by its storage indices, if it is in use.
-    fn place(&self, [plane, row, k]: [usize; 3]) -> Option<usize> {
-        let is_there = plane < self.shape.nodes[0] && row < self.shape.nodes[1];
-        let span = is_there.then(|| self.rows.span(plane, row))?;
-        let start = self.starts[plane * self.shape.nodes[1] + row];
-        span.contains(&k).then(|| start + k - span.start)
-    }
-
-    /// Adds a number times the derivatives of the weights of a particle, and a vector times the weights.
-    fn add<const N: usize>(
-        &mut self,
-        set: &ParticleSet,
-        body: &BodyRun,
-        p: usize,
-        local: &Vector,
-        (scalar, vector): (f64, Vector),
-        averaged: bool,
-    ) {
-        let (shape, mapping) = (self.shape, &body.mapping);
-        let mut base = [0; 3];
-        // By the direction of storage: weights, derivatives, and weights beside a derivative.
-        let mut weights = [[0.0; N]; 3];
-        let mut slopes = [[0.0; N]; 3];
-        let mut beside = [[0.0; N]; 3];
-        weights[1][0] = 1.0;
-        beside[1][0] = 1.0;
-        for axis in 0..shape.axes {
-            let xi = local[axis] * mapping.inverse_cell[axis];
-            let l = half_length(set, body, axis, p);
-            let (first, w, g) = axis_weights_at::<N>(mapping.family, xi, l);
-            let direction = shape.direction(axis);
-            base[direction] = (first + GHOSTS_BELOW as f64) as usize;
-            weights[direction] = w;
-            slopes[direction] = g.map(|g| g * mapping.inverse_cell[axis]);
-            beside[direction] = if averaged { means_over_cells(&g) } else { w };
-        }
-        let middle = if shape.axes == 2 { 1 } else { N };
-        for i in 0..N {
-            for j in 0..middle {
-                for k in 0..N {
-                    let Some(place) = self.place([base[0] + i, base[1] + j, base[2] + k]) else {
-                        continue;
-                    };
-                    let at = [i, j, k];
-                    let weight: f64 = (0..3).map(|d| weights[d][at[d]]).product();
-                    for axis in 0..shape.axes {
-                        let own = shape.direction(axis);
-                        let factor = |d: usize| {
-                            let of = if d == own { &slopes } else { &beside };
-                            of[d][at[d]]
-                        };
-                        let slope: f64 = (0..3).map(factor).product();
-                        self.forces[place][axis] += scalar * slope + vector[axis] * weight;
-                    }
-                }
-            }
-        }
-    }
-
-    /// Gives what lies on the images beyond boundary planes to the nodes that they mirror.
-    fn fold(&mut self, images: &[[Option<[bool; 3]>; 2]; 3]) {
-        let shape = self.shape;
-        for axis in 0..shape.axes {
-            for (side, odd) in images[axis].iter().enumerate() {
-                let Some(odd) = odd else { continue };
-                let direction = shape.direction(axis);
-                let plane = GHOSTS_BELOW + side * shape.cells[axis];
-                let (ghost, mirror) = if side == 0 {
-                    (plane - 1, plane + 1)
-                } else {
-                    (plane + 1, plane - 1)
-                };
-                let mut ranges = shape.nodes.map(|count| 0..count);
-                ranges[direction] = ghost..ghost + 1;
-                let [planes, rows, along] = ranges;
-                for plane in planes {
-                    for row in rows.clone() {
-                        for k in along.clone() {
-                            let from = [plane, row, k];
-                            let mut to = from;
-                            to[direction] = mirror;
-                            let (Some(from), Some(to)) = (self.place(from), self.place(to)) else {
-                                continue;
-                            };
-                            let force = std::mem::take(&mut self.forces[from]);
-                            for c in 0..3 {
-                                self.forces[to][c] += if odd[c] { -force[c] } else { force[c] };
-                            }
-                        }
-                    }
-                }
-            }
-        }
-    }
-
-    /// Those that are not zero, in order of the nodes.
-    fn forces(&self) -> Vec<NodeForce> {
-        let nodes = self.rows.nodes(self.shape).flatten();
-        let all = nodes.zip(&self.forces);
-        let acting = all.filter(|(_, force)| **force != [0.0; 3]);
-        let load = |(node, force): (usize, &Vector)| NodeForce {
-            node,
-            force: *force,
-        };
-        acting.map(load).collect()
-    }
-}
-
-/// Weights of the mean of a linear field over the cells of a domain, as
-/// [`cell_mean_weights`](crate::weights::cell_mean_weights) has them in lanes.
-fn means_over_cells<const N: usize>(g: &[f64; N]) -> [f64; N] {
-    let mut below = 0.0;
-    g.map(|g| {
-        let above = below - g;
-        let mean = 0.5 * (below + above);
-        below = above;
-        mean
-    })
-}
-
-/// Adds forces to others, both in order of the nodes.
-fn merge(all: &mut Vec<NodeForce>, more: &[NodeForce]) {
-    all.extend_from_slice(more);
-    all.sort_by_key(|load| load.node);
-    all.dedup_by(|later, first| {
-        let same = later.node == first.node;
-        if same {
-            for axis in 0..3 {
-                first.force[axis] += later.force[axis];
-            }
-        }
-        same
-    });
-}
-
 /// Calls `act` for each node of a field with mass on which water presses, with its part of the force \[N\] and the sums of its plane.
 fn for_forces(
     field: &mut FieldNodes<'_, '_>,
@@ -398,30 +248,41 @@ fn for_forces(
         field.number
     };
     let context = field.context;
-    let standing = &context.nodal().standing;
-    let Some(found) = standing.iter().find(|one| one.number == number) else {
+    let Some(pressed) = context.nodal().standing.get(number) else {
         return;
     };
-    let (per_plane, planes) = (field.slab.shape().plane_nodes(), field.slab.range());
-    let first = planes.start * per_plane;
-    let begin = (found.forces).partition_point(|load| load.node < first);
-    let end = (found.forces).partition_point(|load| load.node < planes.end * per_plane);
-    for load in &found.forces[begin..end] {
-        let n = if number == 0 {
-            porosity_at(field.slab, context, load.node)
-        } else {
-            None
-        };
-        let share = match (owner, n) {
-            (Owner::Water, n) => n.unwrap_or(0.0),
-            (_, n) => 1.0 - n.unwrap_or(0.0),
-        };
-        let (planes, _, sums) = field.parts();
-        let [plane, row, k] = planes.shape.indices(load.node);
-        let line = &mut planes.nodes[load.node - first];
-        if planes.rows.span(plane, row).contains(&k) && line[0] > 0.0 {
-            let force = load.force.map(|f| f * share);
-            act(line, force, sums.get_mut(plane - planes.range.start));
+    if pressed.forces.is_empty() {
+        return;
+    }
+    let (shape, range) = (field.slab.shape(), field.slab.range());
+    let first = range.start * shape.plane_nodes();
+    let rows = field.slab.fields[number].planes.rows;
+    for plane in range {
+        for row in rows.in_plane(plane) {
+            let span = rows.span(plane, row);
+            let start = pressed.starts[plane * shape.nodes[1] + row];
+            let forces = &pressed.forces[start..start + span.len()];
+            for (k, force) in span.zip(forces) {
+                if *force == [0.0; 3] {
+                    continue;
+                }
+                let node = shape.index([plane, row, k]);
+                let n = if number == 0 {
+                    porosity_at(field.slab, context, node)
+                } else {
+                    None
+                };
+                let share = match (owner, n) {
+                    (Owner::Water, n) => n.unwrap_or(0.0),
+                    (_, n) => 1.0 - n.unwrap_or(0.0),
+                };
+                let (planes, _, sums) = field.parts();
+                let line = &mut planes.nodes[node - first];
+                if planes.rows.span(plane, row).contains(&k) && line[0] > 0.0 {
+                    let force = force.map(|f| f * share);
+                    act(line, force, sums.get_mut(plane - planes.range.start));
+                }
+            }
         }
     }
 }

@@ -72,7 +72,7 @@ pub struct NodalConditions {
     pub loads: Vec<NodeForce>,
     /// True if those are all that act in this step, in place of those that stay what they are.
     pub(super) spread: bool,
-    /// Forces of standing water on the nodes of fields.
+    /// Forces of standing water on the nodes of each field, by its number among those of the grid.
     pub(super) standing: Vec<FieldForces>,
     /// Nodes of the common field that move with driven bodies, each once, increasing; none that is held.
     pub driven: Vec<DrivenNode>,
@@ -94,13 +94,21 @@ pub struct NodalConditions {
     pub drift: f64,
 }
 
-/// Forces on the nodes of one field.
+/// Forces on the nodes of one field; none where it is not pressed.
 #[derive(Clone, Debug, Default)]
 pub(super) struct FieldForces {
-    /// Number of the field among those of the grid.
-    pub(super) number: usize,
-    /// Forces in order of the nodes; with pore water those on both phases together.
-    pub(super) forces: Vec<NodeForce>,
+    /// Place of the first node of each row, plane by plane, and behind the last row that of the end.
+    pub(super) starts: Vec<usize>,
+    /// Forces on the nodes in use, row by row \[N\]; with pore water those on both phases together.
+    pub(super) forces: Vec<Vector>,
+}
+
+impl FieldForces {
+    /// Nothing presses on the field; its memory stays.
+    pub(super) fn clear(&mut self) {
+        self.starts.clear();
+        self.forces.clear();
+    }
 }
 
 impl NodalConditions {
@@ -111,6 +119,7 @@ impl NodalConditions {
             mut loads,
             mut driven,
             mut absorbing,
+            mut standing,
             nodes,
             ..
         } = std::mem::take(self);
@@ -118,11 +127,13 @@ impl NodalConditions {
         loads.clear();
         driven.clear();
         absorbing.clear();
+        standing.iter_mut().for_each(FieldForces::clear);
         *self = Self {
             prescribed,
             loads,
             driven,
             absorbing,
+            standing,
             nodes,
             kick,
             half_steps,

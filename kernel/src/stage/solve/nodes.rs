@@ -9,6 +9,22 @@ pub struct NodeForce {
     pub force: [f64; 3],
 }
 
+impl NodeForce {
+    /// Adds up those on one node, in the order in which they come; after it they are in order of their nodes.
+    pub(crate) fn add_up(all: &mut Vec<Self>) {
+        all.sort_by_key(|load| load.node);
+        all.dedup_by(|later, first| {
+            let same = later.node == first.node;
+            if same {
+                for axis in 0..3 {
+                    first.force[axis] += later.force[axis];
+                }
+            }
+            same
+        });
+    }
+}
+
 /// A node that moves with a prescribed velocity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DrivenNode {
