@@ -2,8 +2,8 @@
 //!
 //! Source: Taylor 1948; Skempton and DeLory 1957, `exact/seepage_slope.rs`. In the coordinates of the slope gravity has a
 //! part along it. Water stands up to the surface and flows along it: its pressure is that of its depth, the skeleton bears
-//! the buoyant weight across the slope and the whole weight along it. Sides are antisymmetric; beyond them water stands as
-//! high as within, and the total stress along the slope presses on them.
+//! the buoyant weight across the slope and the whole weight along it. Sides are antisymmetric, and so
+//! bear the stress that stands along the slope at the start; beyond them water stands as high as within.
 //!
 //! Expected: exact on every mesh in the middle, once the water has begun to flow, in k/(n g), which shakes the slope by
 //! 0.03 % of its shear stress at the base. At the lowest and highest node of a side a level has the pressure of the node,
@@ -81,7 +81,7 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
     scene.water_planes[0] = [PlaneCondition::Free; 2];
     let level = || Some(PlanePressure::Level(History::from([HEIGHT, 0.0, 0.0])));
     scene.water_pressures[0] = [level(), level()];
-    // Each row of particles has the numbers of its middle, and the sides press it with as much.
+    // Each row of particles has the pressure of its middle.
     let rows = settings.particles_per_cell * cells(HEIGHT, h);
     for row in 0..rows {
         let [low, high] = [row, row + 1].map(|row| HEIGHT * row as f64 / rows as f64);
@@ -91,14 +91,6 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
             p2: [LENGTH, high, 0.0],
             pressure: slope.pressure(depth),
         });
-        let total = slope.pressure(depth) - AT_REST_RATIO * slope.effective_stress(depth);
-        for (x, traction) in [(0.0, total), (LENGTH, -total)] {
-            scene.tractions.push(Traction {
-                p1: [x, low, 0.0],
-                p2: [x, high, 0.0],
-                traction: [traction, 0.0, 0.0].into(),
-            });
-        }
     }
     scene.bodies = vec![body("slope", 1, rectangle([0.0; 2], [LENGTH, HEIGHT]))];
     settings.applied(scene)

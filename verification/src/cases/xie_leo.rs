@@ -21,6 +21,9 @@ const CONDUCTIVITY: f64 = 3e-4;
 const RAMP: f64 = 0.1; // Time in which the load comes on: forty ways of the wave through the layer [s]
 const FACTOR: f64 = 0.3; // Time factor of the comparison
 const PIC: f64 = 0.002; // Share of PIC
+/// Particles per cell and axis. Domains keep their length while the layer is squeezed, and sums over two of them per cell are so rough
+/// that the pressure is off by 1.25 % in the mean at 20 cells and the settlement by 0.65 % at 40.
+const PARTICLES: usize = 3;
 const SETTLEMENT: &str = "settlement of the layer";
 const PRESSURE: &str = "mean(p)";
 const LARGEST: &str = "max(p)";
@@ -35,7 +38,13 @@ pub static XIE_LEO: Case = Case::new(
     "Does soft soil that is squeezed to half of its height lose its water as large strain has it?",
 )
 .ladder(Ladder::cells("layer", "H/h", HEIGHT, &[20], &[20, 40]))
-.method(|_| Settings::new(Method::DEFAULT).courant(WET_COURANT))
+.method(|_| {
+    let settings = Settings::new(Method::DEFAULT).courant(WET_COURANT);
+    Settings {
+        particles_per_cell: PARTICLES,
+        ..settings
+    }
+})
 .scene(scene)
 .displacements()
 .options(|rung, _, mut options| {
