@@ -60,8 +60,8 @@ pub static COLUMN_MODAL: Case = Case::new(
 .wrong_references(&[WRONG_CONDUCTIVITY, WRONG_MODULUS])
 .studies(&[Plan::new(
     Ladder::made(|size| match size {
-        Size::Quick => of_soil(1, &[10, 20]),
-        Size::Full => of_soil(1, &[10, 20, 40]),
+        Size::Quick => of_soil(1, SOILS[1].0, &[10, 20]),
+        Size::Full => of_soil(1, SOILS[1].0, &[10, 20, 40]),
     }),
     &[
         Measure::new("displacement", TOP),
