@@ -94,6 +94,34 @@ fn a_block_that_the_water_carries_rests() {
     }
 }
 
+/// The same block beside a smooth plane: what functions that reach beyond the plane carry there comes back to the nodes inside, of the
+/// water as of the stress and the weight.
+#[test]
+fn a_block_that_the_water_carries_rests_beside_a_plane() {
+    for weighting in WEIGHTINGS {
+        let mut scene = empty(Dimension::Two, [5, 10, 1], 0.125);
+        scene.weighting = weighting;
+        scene.materials[0].density = WATER;
+        scene.mesh.planes[0] = [PlaneCondition::Sliding, PlaneCondition::Free];
+        scene.gravity = [0.0, -G, 0.0];
+        scene.bodies = vec![body(1, cuboid([0.0, 0.5, 0.0], [0.25, 1.0, 0.0]))];
+        scene.bodies[0].initial_stress = InitialStress::AtRest {
+            ratio: 1.0,
+            level: 2.0,
+            surcharge: 0.0,
+        };
+        scene.standing_waters = vec![standing([2.0, 0.0, 0.0])];
+        let mut simulation = simulation(&scene);
+        run(&mut simulation, 500);
+        let set = &simulation.sets()[0];
+        for p in 0..set.len() {
+            for v in set.velocity(p) {
+                assert!(v.abs() < 1e-11, "{weighting:?}: {v:e}");
+            }
+        }
+    }
+}
+
 /// The work of the water is in the books: a light block whose stress is the pressure around it rises as a whole.
 #[test]
 fn the_work_of_the_water_is_booked() {
