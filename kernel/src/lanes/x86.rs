@@ -12,6 +12,7 @@ use super::{
 #[allow(clippy::wildcard_imports)] // the vector intrinsics
 use std::arch::x86_64::*;
 use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::sync::OnceLock;
 
 /// Four lanes.
 #[derive(Clone, Copy)]
@@ -44,10 +45,14 @@ impl Backend for Avx512 {
 /// True on processors of Intel, which add eight numbers as fast as four. Those of AMD with AVX-512 were measured to gather faster
 /// by four.
 pub(super) fn adds_eight_lanes_at_once() -> bool {
-    #[allow(unused_unsafe)] // safe since Rust 1.94
-    // SAFETY: every processor with AVX-512 has the instruction.
-    let vendor = unsafe { __cpuid(0) };
-    [vendor.ebx, vendor.edx, vendor.ecx].map(u32::to_le_bytes) == [*b"Genu", *b"ineI", *b"ntel"]
+    // Asked once: on a virtual machine the instruction takes microseconds, and lanes are selected in inner loops.
+    static INTEL: OnceLock<bool> = OnceLock::new();
+    *INTEL.get_or_init(|| {
+        #[allow(unused_unsafe)] // safe since Rust 1.94
+        // SAFETY: every processor with AVX-512 has the instruction.
+        let vendor = unsafe { __cpuid(0) };
+        [vendor.ebx, vendor.edx, vendor.ecx].map(u32::to_le_bytes) == [*b"Genu", *b"ineI", *b"ntel"]
+    })
 }
 
 /// # Safety
