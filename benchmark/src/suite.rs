@@ -188,7 +188,9 @@ fn solve_on_ranks(
         let solved = case.solve(rung, &first, progress);
         drop(first);
         // They have the same result, or wait for messages of a rank that was stopped.
-        others.into_iter().for_each(|other| drop(other.join()));
+        for other in others {
+            drop(other.join());
+        }
         solved
     })
 }

@@ -105,7 +105,9 @@ impl Work {
             let sample = self.sample_of(first.as_ref(), settings, stop);
             drop(first);
             // They have the same sample or error, or wait for messages of a rank that was stopped.
-            others.into_iter().for_each(|other| drop(other.join()));
+            for other in others {
+                drop(other.join());
+            }
             sample
         })
     }

@@ -175,7 +175,7 @@ impl Run {
         let fault = drive(&mut run, &mut tally, interrupt);
         let messages = in_messages()
             .zip(before)
-            .map(|(after, before)| after - before);
+            .map(|(after, before)| after.saturating_sub(before));
         let mut summary = run.summary();
         if let Some(fault) = fault {
             summary.status = Status::Failed;

@@ -383,7 +383,7 @@ fn check_pass(
     // Some particles lie close to the boundary and leave.
     assert!(matches!(all.fault, None | Some((_, FaultKind::Outside))));
     let both = |lanes: SelectedLanes| [false, true].map(|whole| lanes.with_whole_groups(whole));
-    for lanes in lanes().into_iter().flat_map(both) {
+    for lanes in lanes().flat_map(both) {
         let name = lanes.name();
         let (found, sums) = after(lanes);
         assert_eq!(sums, all, "{name} lanes, {axes}D, {stencil} nodes per axis");

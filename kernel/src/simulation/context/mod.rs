@@ -131,9 +131,9 @@ impl NodalConditions {
         *self = Self {
             prescribed,
             loads,
+            standing,
             driven,
             absorbing,
-            standing,
             nodes,
             kick,
             half_steps,

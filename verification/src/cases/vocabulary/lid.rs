@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
 
 use proctor_kernel::layout::Layout;
+use proctor_scene::prelude::Node;
 use proctor_scene::simulation::{
     Condition, EmptyNode, FieldNodes, NodalConditions, Node, StepView,
 };
@@ -89,7 +90,7 @@ impl Condition for Lid {
     }
 
     fn before(&self, field: &mut FieldNodes<'_, '_>) -> Result<(), EmptyNode> {
-        self.on_nodes(field, |node, force| node.add_force(force));
+        self.on_nodes(field, Node::add_force);
         Ok(())
     }
 
