@@ -8,7 +8,6 @@ use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
 
 use proctor_kernel::layout::Layout;
-use proctor_scene::prelude::Node;
 use proctor_scene::simulation::{
     Condition, EmptyNode, FieldNodes, NodalConditions, Node, StepView,
 };
@@ -90,7 +89,9 @@ impl Condition for Lid {
     }
 
     fn before(&self, field: &mut FieldNodes<'_, '_>) -> Result<(), EmptyNode> {
-        self.on_nodes(field, Node::add_force);
+        // The method itself has one lifetime of a node, not any.
+        #[allow(clippy::redundant_closure_for_method_calls)]
+        self.on_nodes(field, |node, force| node.add_force(force));
         Ok(())
     }
 
