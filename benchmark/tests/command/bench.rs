@@ -449,9 +449,15 @@ fn ranks_share_the_steps_of_a_scene() {
                 &record,
                 &format!("{scene}/1000/uGIMP/USL/FLIP/ranks:2/threads:{threads}"),
             );
-            assert_eq!(own.len(), 3, "{scene} on 2 ranks of {threads}");
+            // What fails is not tried again.
+            let refused = scene == "mortar-2d";
+            assert_eq!(
+                own.len(),
+                if refused { 1 } else { 3 },
+                "{scene} on 2 ranks of {threads}"
+            );
             for row in own {
-                assert_eq!(row["error_occurred"] == true, scene == "mortar-2d", "{row}");
+                assert_eq!(row["error_occurred"] == true, refused, "{row}");
             }
         }
     }

@@ -116,7 +116,12 @@ fn cases_on_ranks_have_the_errors_of_one_process() {
                 .as_str()
                 .is_some_and(|name| name.starts_with(case))
         });
-        let clocks = ["real_time", "cpu_time", "repetition_index"];
+        let clocks = [
+            "real_time",
+            "cpu_time",
+            "repetition_index",
+            "particle_steps_per_second",
+        ];
         let without = |row: &Value| {
             let mut row = row.clone();
             let row_keys = row.as_object_mut().expect("a row");
