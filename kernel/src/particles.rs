@@ -177,6 +177,16 @@ impl ParticleSet {
         }
     }
 
+    /// A set of the same columns without particles.
+    pub(crate) fn without_particles(&self) -> Self {
+        Self {
+            layout: self.layout,
+            id: vec![],
+            columns: vec![vec![]; self.columns.len()],
+            layers: vec![],
+        }
+    }
+
     /// Keeps the particles of some base layers alone, as of the last sort.
     pub(crate) fn keep_layers(&mut self, layers: Range<usize>) {
         let kept = self.in_layers(layers);

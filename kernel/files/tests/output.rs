@@ -11,6 +11,7 @@ mod frames;
 mod history;
 mod interval;
 mod mortar;
+mod ranks;
 mod restart;
 mod start_state;
 mod summary;

@@ -14,7 +14,7 @@ use super::interactions::{Interaction, Interactions};
 use super::phase::PhaseTimer;
 use super::{Cycle, history_value};
 use crate::exact_sum::ExactSum;
-use crate::grid::Line;
+use crate::grid::{ActiveRows, Line};
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
 use crate::simulation::context::NodalConditions;
@@ -214,6 +214,8 @@ pub(super) struct NodalSnapshot {
     groups: Groups,
     sums: PlaneSums,
     phase_timer: PhaseTimer,
+    /// Rows in use, field by field, where ranks share the simulation: messages of a neighbour widen them.
+    rows: Option<Vec<ActiveRows>>,
     /// The nodes in use, field by field.
     lines: Vec<Vec<Line>>,
     /// Forces on particles, which may be functions of time, body by body.
@@ -237,6 +239,8 @@ impl NodalSnapshot {
         let forces = sets.map(|set| set.columns[force_columns(set)].to_vec());
         let forces = forces.collect();
         let grid = &simulation.work.grid;
+        let shared = simulation.work.share.is_some();
+        let rows = shared.then(|| grid.fields.iter().map(|field| field.rows.clone()).collect());
         let mut lines = vec![];
         for field in &grid.fields {
             let all = field.nodes.lines();
@@ -252,6 +256,7 @@ impl NodalSnapshot {
             sums: simulation.work.sums,
             // Nobody observes what is put back.
             phase_timer: std::mem::take(&mut simulation.work.phase_timer),
+            rows,
             lines,
             forces,
         }
@@ -273,6 +278,9 @@ impl NodalSnapshot {
         simulation.work.sums = self.sums;
         simulation.work.phase_timer = self.phase_timer;
         let grid = &mut simulation.work.grid;
+        for (field, rows) in grid.fields.iter_mut().zip(self.rows.into_iter().flatten()) {
+            field.rows = rows;
+        }
         for (field, lines) in grid.fields.iter_mut().zip(&self.lines) {
             let all = field.nodes.lines_mut();
             let mut rest = &lines[..];

@@ -5,7 +5,7 @@
 
 use super::Cycle;
 use super::energy::NodalSnapshot;
-use crate::exact_sum::exact_sum;
+use crate::exact_sum::ExactSum;
 use crate::layout::Layout;
 use crate::simulation::values::StepError;
 use crate::stage::solve::is_ghost;
@@ -65,7 +65,10 @@ impl Cycle {
             let square: f64 = along.map(|axis| line[4 + axis] * line[4 + axis]).sum();
             line[0] * square.sqrt() / kick
         };
-        Ok(exact_sum(inside.map(|(_, line)| force(line))))
+        let mut sum = ExactSum::ZERO;
+        inside.for_each(|(_, line)| sum.add(force(line)));
+        self.join_sums(std::slice::from_mut(&mut sum));
+        Ok(sum.value())
     }
 
     /// The weight of the bodies, or the force of the largest stress on one side of them where nothing weighs \[N\], and its
@@ -87,9 +90,10 @@ impl Cycle {
             self.model.plan.axes
         };
         let force = self.state.sets.iter().map(|set| {
-            let volume = exact_sum(set.columns[Layout::VOLUME].iter().copied());
+            let [volume] = self.sums_over(set, |p| [set.columns[Layout::VOLUME][p]]);
             let stress = (0..set.len()).flat_map(|p| set.stress(p));
-            let most = stress.fold(0.0_f64, |most, s| most.max(s.abs()));
+            let mut most = stress.fold(0.0_f64, |most, s| most.max(s.abs()));
+            self.join_most(std::slice::from_mut(&mut most));
             most * libm::pow(volume, 1.0 - 1.0 / axes as f64)
         });
         (force.sum(), "force of the stress on a side")

@@ -10,6 +10,7 @@ use crate::model::Vector;
 use crate::particles::ParticleSet;
 use crate::simulation::values::{BodyEnergy, BodyHandle, MassCenter};
 use crate::team::ItemCost;
+use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 
 impl Cycle {
@@ -148,11 +149,12 @@ impl Cycle {
         }
     }
 
-    /// Hash of the particle state in order of the identifier: the bits of every column of every set that is here
-    /// ([`Cycle::gather`] brings all of a shared simulation).
+    /// Hash of the particle state in order of the identifier: the bits of every column of every set. Ranks that share the
+    /// simulation call this at the same time.
     #[must_use]
     pub fn state_hash(&self) -> u64 {
-        state_hash(&self.state.sets)
+        self.hash_of_ranks()
+            .unwrap_or_else(|| state_hash(&self.state.sets))
     }
 
     /// Adds a term of each particle of a set to each sum. Threads sum parts of the particles.
@@ -212,8 +214,18 @@ impl Cycle {
         sums.map(|sum| sum.value())
     }
 
+    /// Sums of terms over the particles of a body, by their places in its set; of all ranks, where they share the simulation and
+    /// call this at the same time.
+    pub fn sums_of<const K: usize>(
+        &self,
+        body: impl Into<BodyHandle>,
+        terms: impl Fn(usize) -> [f64; K] + Sync,
+    ) -> [f64; K] {
+        self.sums_over(self.particles_of(body), terms)
+    }
+
     /// Sums over the particles of a set.
-    fn sums_over<const K: usize>(
+    pub(super) fn sums_over<const K: usize>(
         &self,
         set: &ParticleSet,
         terms: impl Fn(usize) -> [f64; K] + Sync,
@@ -264,36 +276,59 @@ pub(super) fn kinetic_energy_of(set: &ParticleSet, p: usize) -> f64 {
 /// identifier, set by set. Equal for every number of threads and every kind of lanes.
 #[must_use]
 pub(crate) fn state_hash(sets: &[ParticleSet]) -> u64 {
-    let mut hash = 0xcbf2_9ce4_8422_2325_u64;
-    let mut add = |word: u64| {
-        // A word at a time instead of a byte: eight times faster, and every bit still counts.
-        hash = (hash ^ word).wrapping_mul(0x0000_0100_0000_01b3);
-        hash ^= hash >> 32;
-    };
+    let mut hash = StateHash::default();
     let mut order = vec![];
     for set in sets {
-        add(set.len() as u64);
-        by_identifier(set, &mut order);
-        for &p in &order {
+        hash.add(set.len() as u64);
+        by_identifier(set, 0..set.len(), &mut order);
+        hash.add_particles(set, &order);
+    }
+    hash.0
+}
+
+/// A hash of words that come one after the other.
+pub(super) struct StateHash(u64);
+
+impl Default for StateHash {
+    fn default() -> Self {
+        Self(0xcbf2_9ce4_8422_2325)
+    }
+}
+
+impl StateHash {
+    /// The hash of what was added.
+    pub(super) fn value(&self) -> u64 {
+        self.0
+    }
+
+    /// Adds a word at a time instead of a byte: eight times faster, and every bit still counts.
+    pub(super) fn add(&mut self, word: u64) {
+        self.0 = (self.0 ^ word).wrapping_mul(0x0000_0100_0000_01b3);
+        self.0 ^= self.0 >> 32;
+    }
+
+    /// Adds particles of a set.
+    pub(super) fn add_particles(&mut self, set: &ParticleSet, places: &[u32]) {
+        for &p in places {
             let p = p as usize;
-            add(set.id[p]);
+            self.add(set.id[p]);
             for column in &set.columns {
-                add(column[p].to_bits());
+                self.add(column[p].to_bits());
             }
         }
     }
-    hash
 }
 
-/// Fills `places` with the places of the particles of a set in order of the identifier. Identifiers of a set are consecutive
+/// Fills `places` with the places of some particles of a set in order of the identifier. Identifiers of a set are consecutive
 /// but for removed particles, so that a table of places takes the time of one pass.
-fn by_identifier(set: &ParticleSet, places: &mut Vec<u32>) {
-    let (first, last) = set.id.iter().fold((u64::MAX, 0), |(low, high), &id| {
+pub(super) fn by_identifier(set: &ParticleSet, particles: Range<usize>, places: &mut Vec<u32>) {
+    let ids = &set.id[particles.clone()];
+    let (first, last) = ids.iter().fold((u64::MAX, 0), |(low, high), &id| {
         (low.min(id), high.max(id))
     });
     places.clear();
     places.resize((last + 1).saturating_sub(first) as usize, u32::MAX);
-    for (p, &id) in set.id.iter().enumerate() {
+    for (p, &id) in particles.zip(ids) {
         places[(id - first) as usize] = p as u32;
     }
     places.retain(|&p| p != u32::MAX);

@@ -29,7 +29,7 @@ impl Cycle {
     #[must_use]
     pub fn nodes_with_mass(&self) -> usize {
         let mut count = 0;
-        for plane in 0..self.work.grid.shape.nodes[0] {
+        for plane in self.work.grid.owned.clone() {
             for row in 0..self.work.grid.shape.nodes[1] {
                 let first = self.work.grid.shape.index([plane, row, 0]);
                 count += self.work.grid.fields[0]
@@ -43,17 +43,17 @@ impl Cycle {
                     .count();
             }
         }
-        count
+        self.join_count(count)
     }
 
     /// All fields at all nodes with mass as the last step left them, field by field, in order of the node. Ghost nodes
-    /// of walls, which mirror what lies inside, are left out.
+    /// of walls, which mirror what lies inside, are left out. A rank has those of its own planes.
     #[must_use]
     pub fn node_values(&self) -> Vec<NodeValues> {
         let touching = self.contact_by_node();
         let mut all = vec![];
         for (body, rows, lines) in self.fields() {
-            for plane in 0..self.work.grid.shape.nodes[0] {
+            for plane in self.work.grid.owned.clone() {
                 for row in 0..self.work.grid.shape.nodes[1] {
                     let first = self.work.grid.shape.index([plane, row, 0]);
                     for k in rows.span(plane, row) {

@@ -7,7 +7,9 @@ use crate::common::{
     APIC, DIMENSIONS, FLIP, MLS, NEVER, SCHEMES, body, cuboid, elastic, empty, material, options,
     rough_drift,
 };
-use proctor_kernel::simulation::{Energy, SavedState, SharingRefusal, StepError, StepErrorKind};
+use proctor_kernel::simulation::{
+    Energy, MassCenter, ResultQuality, SavedState, SharingRefusal, StepError, StepErrorKind,
+};
 use proctor_laws::{NeoHookean, Newtonian, VonMises};
 use proctor_scene::simulation::{InitialField, InitialState, Options, Simulation};
 use proctor_scene::{
@@ -28,6 +30,37 @@ struct End {
     touching: Vec<[u64; 4]>,
     sorts: usize,
     error: Option<StepError>,
+}
+
+/// Measures of a simulation that ranks share, which each of them has.
+#[derive(Clone, Debug, PartialEq)]
+struct Measures {
+    energy: Energy,
+    quality: ResultQuality,
+    /// Its bits.
+    unbalanced: Option<u64>,
+    hash: u64,
+    nodes: usize,
+    centers: Vec<MassCenter>,
+}
+
+/// Measures without the whole simulation: ranks take them together.
+fn measures(simulation: &mut Simulation, error: Option<&StepError>) -> Measures {
+    let energy = simulation.energy();
+    Measures {
+        quality: simulation.result_quality(&energy),
+        energy,
+        // Particles that left the mesh cannot be mapped.
+        unbalanced: (error.is_none())
+            .then(|| simulation.unbalanced_share())
+            .flatten()
+            .map(f64::to_bits),
+        hash: simulation.state_hash(),
+        nodes: simulation.nodes_with_mass(),
+        centers: (0..simulation.sets().len())
+            .map(|body| simulation.center(body))
+            .collect(),
+    }
 }
 
 /// A long strip of two bodies that flies and breathes through many cells.
@@ -101,10 +134,11 @@ fn touching(simulation: &Simulation) -> Vec<[u64; 4]> {
 }
 
 /// The end of a scene on one process.
-fn alone(scene: &Scene, steps: usize, initial: &InitialField) -> End {
+fn alone(scene: &Scene, steps: usize, initial: &InitialField) -> (End, Measures) {
     let mut simulation = start(scene, 1, initial);
     let stepped = step(&mut simulation, steps);
-    end(&mut simulation, stepped)
+    let measures = measures(&mut simulation, stepped.1.as_ref());
+    (end(&mut simulation, stepped), measures)
 }
 
 /// The end of a scene on some ranks as the first one has it, and the error of each rank.
@@ -114,9 +148,9 @@ fn shared(
     steps: usize,
     initial: &InitialField,
     meddle: Option<Meddle>,
-) -> (End, Vec<Option<StepError>>) {
+) -> (End, Vec<(Measures, Option<StepError>)>) {
     let ranks = threads::ranks(count, meddle);
-    let ends: Vec<(Option<End>, Option<StepError>)> = std::thread::scope(|scope| {
+    let ends: Vec<(Option<End>, (Measures, Option<StepError>))> = std::thread::scope(|scope| {
         let run = |rank| {
             move || {
                 let mut simulation = start(scene, threads, initial);
@@ -124,6 +158,7 @@ fn shared(
                 shared.expect("the scene can be shared");
                 // The whole in the middle changes nothing.
                 let (sorts, error) = step(&mut simulation, steps / 2);
+                let _ = measures(&mut simulation, error.as_ref());
                 if let Some(part) = simulation.gather() {
                     let _ = simulation.energy();
                     simulation.put_back(part);
@@ -132,10 +167,10 @@ fn shared(
                     Some(error) => (0, Some(error)),
                     None => step(&mut simulation, steps - steps / 2),
                 };
+                let here = (measures(&mut simulation, error.as_ref()), error.clone());
                 let whole = simulation.gather();
-                let error_here = error.clone();
                 let end = whole.map(|_| end(&mut simulation, (sorts + more, error)));
-                (end, error_here)
+                (end, here)
             }
         };
         let ranks: Vec<_> = ranks
@@ -145,9 +180,9 @@ fn shared(
         let joined = ranks.into_iter().map(std::thread::ScopedJoinHandle::join);
         joined.map(|end| end.expect("no rank panics")).collect()
     });
-    let errors = ends.iter().map(|(_, error)| error.clone()).collect();
+    let here = ends.iter().map(|(_, here)| here.clone()).collect();
     let first = ends.into_iter().find_map(|(end, _)| end);
-    (first.expect("the first rank has the whole"), errors)
+    (first.expect("the first rank has the whole"), here)
 }
 
 /// Ranks and threads of each.
@@ -160,14 +195,14 @@ fn compare(scene: &Scene, steps: usize, drift: f64) -> End {
 
 /// The same from another start.
 fn compare_from(scene: &Scene, steps: usize, initial: &InitialField) -> End {
-    let expected = alone(scene, steps, initial);
+    let (expected, expected_measures) = alone(scene, steps, initial);
     for team in TEAMS {
-        let (found, errors) = shared(scene, team, steps, initial, None);
+        let (found, of_ranks) = shared(scene, team, steps, initial, None);
         assert_eq!(found.error, expected.error, "{team:?}");
-        assert!(
-            errors.iter().all(|error| *error == expected.error),
-            "{team:?} {errors:?}"
-        );
+        for (measures, error) in &of_ranks {
+            assert_eq!(*error, expected.error, "{team:?}");
+            assert_eq!(*measures, expected_measures, "{team:?} {scene:?}");
+        }
         assert_eq!(found.hash, expected.hash, "{team:?} {scene:?}");
         assert_eq!(found.energy, expected.energy, "{team:?}");
         assert_eq!(found.nodes, expected.nodes, "{team:?}");
@@ -399,8 +434,8 @@ fn a_changed_ghost_is_found() {
             *words.last_mut().expect("not empty") ^= 1;
         }
     };
-    let (_, errors) = shared(&scene, (2, 1), 300, &drifting(&scene, 2.0), Some(meddle));
-    for error in errors {
+    let (_, of_ranks) = shared(&scene, (2, 1), 300, &drifting(&scene, 2.0), Some(meddle));
+    for (_, error) in of_ranks {
         let error = error.expect("ranks disagree");
         assert!(
             matches!(error.kind, StepErrorKind::RanksDisagree { .. }),

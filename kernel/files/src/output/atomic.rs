@@ -17,7 +17,7 @@ pub const TEMPORARY_SUFFIX: &str = ".tmp";
 
 /// One system call per mebibyte: frames and checkpoints are hundreds of megabytes, the default of 8 KiB is
 /// made for small files.
-const BUFFER: usize = 1 << 20;
+pub(super) const BUFFER: usize = 1 << 20;
 
 /// Writes the file `path` so that it is, at any moment, either what it was before or wholly what `fill` writes.
 ///
@@ -34,15 +34,59 @@ pub fn write(
 }
 
 fn write_with(path: &Path, fill: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
-    let folder = match path.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
-    };
+    let folder = folder_of(path);
     let mut writer = BufWriter::with_capacity(BUFFER, temporary(folder)?);
     fill(&mut writer)?;
     let file = writer
         .into_inner()
         .map_err(io::IntoInnerError::into_error)?;
+    persist(file, path, folder)
+}
+
+/// A file of a known length that several processes fill before it takes its name. It is removed unless it takes it.
+pub(super) struct Temporary {
+    file: NamedTempFile,
+    folder: PathBuf,
+}
+
+impl Temporary {
+    /// A file of so many bytes in the folder of `path`.
+    pub(super) fn beside(path: &Path, length: u64) -> io::Result<Self> {
+        let folder = folder_of(path);
+        let file = temporary(folder)?;
+        file.as_file().set_len(length)?;
+        Ok(Self {
+            file,
+            folder: folder.to_path_buf(),
+        })
+    }
+
+    /// Its name in the folder.
+    pub(super) fn name(&self) -> String {
+        let name = self.file.path().file_name();
+        name.unwrap_or_default().to_string_lossy().into_owned()
+    }
+
+    /// Writes the rest, and gives the file the name `path`.
+    pub(super) fn finish(
+        mut self,
+        path: &Path,
+        fill: impl FnOnce(&mut File) -> io::Result<()>,
+    ) -> io::Result<()> {
+        fill(self.file.as_file_mut())?;
+        persist(self.file, path, &self.folder)
+    }
+}
+
+fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    }
+}
+
+/// Syncs a file that is whole, and gives it its name.
+fn persist(file: NamedTempFile, path: &Path, folder: &Path) -> io::Result<()> {
     if waits() {
         count_wait();
         file.as_file().sync_all()?;

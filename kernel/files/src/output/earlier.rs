@@ -5,7 +5,7 @@
 
 use super::pvd::{self, BOUNDARIES, GRID, PARTICLES};
 use super::summary::SUMMARY;
-use super::{OutputError, OutputFolder};
+use super::{OutputError, OutputFolder, pieces};
 use std::collections::BTreeSet;
 use std::fs;
 use std::io::ErrorKind;
@@ -30,6 +30,13 @@ pub fn clear(folder: &OutputFolder) -> Result<(), OutputError> {
                 count: unlisted.count(),
             });
         }
+        // Pieces first: those that no file names would be nobody's.
+        for number in known
+            .iter()
+            .filter_map(|file| pvd::frame_number(stem, file))
+        {
+            pieces::remove(folder, stem, number)?;
+        }
         left.extend(there);
         left.push(pvd::list_name(stem));
     }
@@ -52,7 +59,8 @@ pub(super) fn drop_frames(
 ) -> Result<(), OutputError> {
     for entry in entries {
         // The list may name anything; what is not called as we call frames is not ours.
-        if pvd::frame_number(stem, &entry.file).is_some() {
+        if let Some(number) = pvd::frame_number(stem, &entry.file) {
+            pieces::remove(folder, stem, number)?;
             remove(&folder.file(&entry.file))?;
         }
     }

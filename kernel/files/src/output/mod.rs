@@ -17,6 +17,7 @@ pub mod earlier;
 mod error;
 pub mod history;
 mod little_endian;
+pub mod pieces;
 pub mod pvd;
 pub mod summary;
 pub mod vtu;

@@ -5,7 +5,7 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use super::vtu::{self, Compression, Frame, escape, unescape};
-use super::{OutputError, OutputFolder, atomic, earlier};
+use super::{OutputError, OutputFolder, atomic, earlier, pieces};
 
 /// Beginning of the names of the files that hold particles.
 pub(crate) const PARTICLES: &str = "particles";
@@ -13,8 +13,10 @@ pub(crate) const PARTICLES: &str = "particles";
 pub(crate) const GRID: &str = "grid";
 /// Beginning of the names of the files that hold boundaries.
 pub(crate) const BOUNDARIES: &str = "boundaries";
+/// End of the name of a frame in pieces.
+pub(super) const PARALLEL: &str = "pvtu";
 /// Ends of the names of frames.
-pub(super) const EXTENSIONS: [&str; 2] = ["vtu", "vtp"];
+pub(super) const EXTENSIONS: [&str; 3] = ["vtu", "vtp", PARALLEL];
 
 /// Name of the list of particle frames in the output folder.
 pub const LIST: &str = "particles.pvd";
@@ -112,28 +114,44 @@ impl Series {
     /// [`OutputError::Time`] if the frame is not later than the last one; else as [`vtu::write`]. The list then
     /// stays as it was.
     pub fn write_frame(&mut self, frame: &Frame) -> Result<PathBuf, OutputError> {
-        if let Some(last) = self.last_time()
-            && (frame.time <= last || !frame.time.is_finite())
-        {
-            return Err(OutputError::Time {
-                path: self.list_path(),
-                time: frame.time,
-                last: Some(last),
-            });
-        }
+        self.require_later(frame.time)?;
         let file = name_of(self.stem, self.next_number(), frame.extension());
         let path = self.folder.file(&file);
         vtu::write(&path, frame, self.compression)?;
-        self.entries.push(FrameEntry {
-            file,
-            time: frame.time,
-        });
-        // Rewritten whole each time: about 70 bytes per frame, nothing beside the frame itself.
-        if let Err(error) = self.write_list() {
-            self.entries.pop();
-            return Err(error);
-        }
+        self.list(file, frame.time)?;
         Ok(path)
+    }
+
+    /// Writes the file that names the pieces of the next frame, which lie in its folder, and then the list with it. `frame` is one
+    /// of the pieces.
+    ///
+    /// # Errors
+    /// As [`Series::write_frame`].
+    pub fn list_pieces(&mut self, frame: &Frame, pieces: usize) -> Result<(), OutputError> {
+        self.require_later(frame.time)?;
+        let number = self.next_number();
+        pieces::write_list(&self.folder, (self.stem, number), frame, pieces)?;
+        self.list(name_of(self.stem, number, PARALLEL), frame.time)
+    }
+
+    fn require_later(&self, time: f64) -> Result<(), OutputError> {
+        match self.last_time() {
+            Some(last) if time <= last || !time.is_finite() => Err(OutputError::Time {
+                path: self.list_path(),
+                time,
+                last: Some(last),
+            }),
+            _ => Ok(()),
+        }
+    }
+
+    /// Adds a frame to the list.
+    fn list(&mut self, file: String, time: f64) -> Result<(), OutputError> {
+        self.entries.push(FrameEntry { file, time });
+        // Rewritten whole each time: about 70 bytes per frame, nothing beside the frame itself.
+        self.write_list().inspect_err(|_| {
+            self.entries.pop();
+        })
     }
 
     /// The frames in the list.
@@ -152,8 +170,9 @@ impl Series {
         self.folder.file(&list_name(self.stem))
     }
 
-    /// One more than the number in the last file name: after a restart no listed file is ever replaced.
-    fn next_number(&self) -> u64 {
+    /// Number of the next frame: one more than that of the last file name, so that after a restart no listed file is replaced.
+    #[must_use]
+    pub fn next_number(&self) -> u64 {
         self.entries
             .iter()
             .filter_map(|entry| frame_number(self.stem, &entry.file))

@@ -1,19 +1,30 @@
 //! The state of a simulation as frames, history rows and checkpoints.
 
+use super::frames::{self, FramePart, FrameTarget};
 use super::history::HistoryRows;
-use super::probes::{STRESS, by_identifier};
 use super::schedule::{HistorySchedule, NOMINAL_TIME};
-use super::{RunError, boundaries, grid, state};
+use super::{RunError, boundaries, grid, ranks, state};
 use crate::output::checkpoint::CHECKPOINT;
 use crate::output::earlier;
-use crate::output::pvd::{BOUNDARIES, GRID};
-use crate::output::{Array, ArrayData, Compression, Frame, HistoryWriter, OutputFolder, Series};
-use proctor_kernel::particles::ParticleSet;
-use proctor_scene::Field;
+use crate::output::pvd::{BOUNDARIES, GRID, PARTICLES};
+use crate::output::{Compression, HistoryWriter, OutputFolder, Series};
 use proctor_scene::simulation::{ResultWarning, Simulation};
+use std::path::{Path, PathBuf};
+
+/// The outputs of a run. Each rank has them; the first one has the files that grow.
+pub(super) struct Files {
+    path: PathBuf,
+    /// The growing files, on the first rank.
+    growing: Option<GrowingFiles>,
+    rows: HistoryRows,
+    /// Reasons for caution at the outputs so far, of each kind the one that says most.
+    cautions: Vec<ResultWarning>,
+    /// True for frames in a piece of each rank, whatever their number of points.
+    in_pieces: bool,
+}
 
 /// The growing files of a run.
-pub(super) struct Files {
+struct GrowingFiles {
     folder: OutputFolder,
     series: Option<Series>,
     /// Frames of the nodes, where the scene asks for nodal fields.
@@ -21,20 +32,156 @@ pub(super) struct Files {
     /// Frames of the boundaries, where the scene has any.
     boundaries: Option<Series>,
     history: Option<HistoryWriter>,
-    rows: HistoryRows,
     /// States with a row, where the history has an interval of its own.
     schedule: Option<HistorySchedule>,
-    /// Reasons for caution at the outputs so far, of each kind the one that says most.
-    cautions: Vec<ResultWarning>,
+}
+
+/// What the present state still lacks in the files.
+struct Missing {
+    /// A state that is later than the last output.
+    output: bool,
+    row: bool,
+    particles: bool,
+    grid: bool,
+    boundaries: bool,
+    checkpoint: bool,
 }
 
 impl Files {
-    /// Makes the files, or after a restart goes on with them. What an earlier run left there goes where this one begins anew.
+    /// Makes the files in a folder, or after a restart goes on with them. What an earlier run left there goes where this one begins
+    /// anew. All ranks call this at the same time, as they call the other functions; the errors are those of this rank.
     pub(super) fn open(
         simulation: &Simulation,
-        folder: OutputFolder,
+        path: &Path,
+        resume: bool,
+        in_pieces: bool,
+    ) -> Result<Self, RunError> {
+        let rows = HistoryRows::new(simulation);
+        let first = simulation.ranks().is_none_or(|ranks| ranks.rank() == 0);
+        let growing = first.then(|| GrowingFiles::open(simulation, &rows, path, resume));
+        Ok(Self {
+            path: path.to_path_buf(),
+            growing: growing.transpose()?,
+            rows,
+            cautions: vec![],
+            in_pieces,
+        })
+    }
+
+    /// Reasons for caution at the outputs so far.
+    pub(super) fn cautions(&self) -> &[ResultWarning] {
+        &self.cautions
+    }
+
+    /// The folder, on the first rank.
+    pub(super) fn folder(&self) -> Option<&OutputFolder> {
+        self.growing.as_ref().map(|growing| &growing.folder)
+    }
+
+    /// True where the present state has a row in a history with an interval of its own; of ranks the first one knows.
+    pub(super) fn is_row_due(&self, simulation: &Simulation) -> bool {
+        let schedule = self
+            .growing
+            .as_ref()
+            .and_then(|growing| growing.schedule.as_ref());
+        schedule.is_some_and(|schedule| schedule.is_due(simulation.clock()))
+    }
+
+    /// Writes the row of the present state into a history with an interval of its own, where it is to have one.
+    pub(super) fn write_due_row(&mut self, simulation: &mut Simulation) -> Result<(), RunError> {
+        let [due] = ranks::any(simulation.ranks(), [self.is_row_due(simulation)]);
+        if !due {
+            return Ok(());
+        }
+        let energy = simulation.energy();
+        let mut row = self.rows.row(simulation, &energy);
+        let growing = self.growing.as_mut();
+        let written = growing.map_or(Ok(()), |growing| {
+            let schedule = growing.schedule.as_mut();
+            row.extend(schedule.map(|schedule| schedule.take(simulation.clock())));
+            growing.append(simulation, &row)
+        });
+        ranks::agree(simulation.ranks(), written)
+    }
+
+    /// Writes frame, history row and checkpoint; what a resumed file already has is left as it is.
+    pub(super) fn write(&mut self, simulation: &mut Simulation) -> Result<(), RunError> {
+        self.write_due_row(simulation)?;
+        let missing = self.missing(simulation);
+        let row = missing.output.then(|| {
+            let energy = simulation.energy();
+            worst(&mut self.cautions, simulation.cautions(&energy));
+            missing.row.then(|| self.rows.row(simulation, &energy))
+        });
+        simulation.note_extremes();
+        let simulation = &*simulation;
+        if missing.particles {
+            self.write_frame(PARTICLES, frames::of_particles(simulation), simulation)?;
+        }
+        if missing.grid {
+            self.write_frame(GRID, grid::frame(simulation), simulation)?;
+        }
+        if missing.boundaries {
+            let frame = FramePart::whole(boundaries::frame(simulation));
+            self.write_frame(BOUNDARIES, frame, simulation)?;
+        }
+        if let Some(Some(row)) = row {
+            let growing = self.growing.as_mut();
+            let written = growing.map_or(Ok(()), |growing| growing.append(simulation, &row));
+            ranks::agree(simulation.ranks(), written)?;
+        }
+        if missing.checkpoint {
+            state::write(simulation, &self.path.join(CHECKPOINT))?;
+        }
+        Ok(())
+    }
+
+    /// What the present state lacks in the files. The first rank tells the others.
+    fn missing(&self, simulation: &Simulation) -> Missing {
+        let here = self.growing.as_ref();
+        let here = here.map_or([false; 6], |growing| growing.missing(simulation));
+        let [output, row, particles, grid, boundaries, checkpoint] =
+            ranks::any(simulation.ranks(), here);
+        Missing {
+            output,
+            row,
+            particles,
+            grid,
+            boundaries,
+            checkpoint,
+        }
+    }
+
+    fn write_frame(
+        &mut self,
+        stem: &'static str,
+        part: FramePart,
+        simulation: &Simulation,
+    ) -> Result<(), RunError> {
+        let growing = self.growing.as_mut();
+        let series = growing.and_then(|growing| match stem {
+            GRID => growing.grid.as_mut(),
+            BOUNDARIES => growing.boundaries.as_mut(),
+            _ => growing.series.as_mut(),
+        });
+        let target = FrameTarget {
+            stem,
+            folder: &self.path,
+            series,
+            in_pieces: self.in_pieces,
+        };
+        frames::write(part, target, simulation.ranks())
+    }
+}
+
+impl GrowingFiles {
+    fn open(
+        simulation: &Simulation,
+        rows: &HistoryRows,
+        path: &Path,
         resume: bool,
     ) -> Result<Self, RunError> {
+        let folder = OutputFolder::claim(path)?;
         if !resume {
             earlier::clear(&folder)?;
         }
@@ -44,14 +191,12 @@ impl Files {
             grid: None,
             boundaries: None,
             history: None,
-            rows: HistoryRows::new(simulation),
             schedule: None,
-            cautions: vec![],
         };
         let results = &simulation.scene().results;
         let time = simulation.time();
         if results.writes_history() {
-            let mut columns = files.rows.columns(simulation);
+            let mut columns = rows.columns(simulation);
             columns.extend(results.history_interval.map(|_| NOMINAL_TIME.to_owned()));
             let history = if resume {
                 HistoryWriter::resume(&files.folder, &columns, time)?.0
@@ -65,11 +210,6 @@ impl Files {
             files.history = Some(history);
         }
         if results.print > 0 {
-            files.series = Some(if resume {
-                Series::resume(files.folder.clone(), Compression::None, time)?
-            } else {
-                Series::create(files.folder.clone(), Compression::None)?
-            });
             let series = |stem| {
                 let folder = files.folder.clone();
                 if resume {
@@ -78,6 +218,7 @@ impl Files {
                     Series::create_named(folder, stem, Compression::None)
                 }
             };
+            files.series = Some(series(PARTICLES)?);
             if !results.nodal_fields.is_empty() {
                 files.grid = Some(series(GRID)?);
             }
@@ -88,83 +229,32 @@ impl Files {
         Ok(files)
     }
 
-    /// Reasons for caution at the outputs so far.
-    pub(super) fn cautions(&self) -> &[ResultWarning] {
-        &self.cautions
-    }
-
-    pub(super) fn folder(&self) -> &OutputFolder {
-        &self.folder
-    }
-
-    /// True where the present state has a row in a history with an interval of its own.
-    pub(super) fn is_row_due(&self, simulation: &Simulation) -> bool {
-        let schedule = self.schedule.as_ref();
-        schedule.is_some_and(|schedule| schedule.is_due(simulation.clock()))
-    }
-
-    /// Writes the row of the present state into a history with an interval of its own, where it is to have one.
-    pub(super) fn write_due_row(&mut self, simulation: &mut Simulation) -> Result<(), RunError> {
-        if let (Some(schedule), Some(history)) = (&mut self.schedule, &mut self.history)
-            && schedule.is_due(simulation.clock())
-        {
-            let energy = simulation.energy();
-            let mut row = self.rows.row(simulation, &energy);
-            row.push(schedule.take(simulation.clock()));
-            history.append(simulation.time(), simulation.steps(), &row)?;
-        }
-        Ok(())
-    }
-
-    /// Writes frame, history row and checkpoint; what a resumed file already has is left as it is.
-    pub(super) fn write(&mut self, simulation: &mut Simulation) -> Result<(), RunError> {
-        self.write_due_row(simulation)?;
+    /// What the present state lacks: an output at all, a row, frames of particles, nodes and boundaries, a checkpoint.
+    fn missing(&self, simulation: &Simulation) -> [bool; 6] {
         let time = simulation.time();
         let is_later = |last: Option<f64>| last.is_none_or(|last| last < time);
+        let is_missing =
+            |series: &Option<Series>| series.as_ref().is_some_and(|s| is_later(s.last_time()));
         let rows_are_frames = self.schedule.is_none();
-        let is_new = match (&self.series, &self.history) {
-            (_, Some(history)) if rows_are_frames => is_later(history.last_time()),
-            (series, _) => series.as_ref().is_some_and(|s| is_later(s.last_time())),
+        let output = match &self.history {
+            Some(history) if rows_are_frames => is_later(history.last_time()),
+            _ => is_missing(&self.series),
         };
-        let row = is_new.then(|| {
-            let energy = simulation.energy();
-            worst(&mut self.cautions, simulation.cautions(&energy));
-            rows_are_frames.then(|| self.rows.row(simulation, &energy))
-        });
-        simulation.note_extremes();
-        let simulation = &*simulation;
-        if let Some(series) = &mut self.series
-            && is_later(series.last_time())
-        {
-            series.write_frame(&frame(simulation))?;
-        }
-        if let Some(grid) = &mut self.grid
-            && is_later(grid.last_time())
-            && let Some(frame) = grid::frame(simulation)
-        {
-            grid.write_frame(&frame)?;
-        }
-        if let Some(boundaries) = &mut self.boundaries
-            && is_later(boundaries.last_time())
-        {
-            boundaries.write_frame(&boundaries::frame(simulation))?;
-        }
-        if let (Some(history), Some(Some(row))) = (&mut self.history, row) {
-            history.append(time, simulation.steps(), &row)?;
-        }
-        if simulation.scene().results.checkpoint && self.series.is_some() {
-            state::save(simulation).write(&self.folder.file(CHECKPOINT))?;
+        [
+            output,
+            rows_are_frames && self.history.is_some(),
+            is_missing(&self.series),
+            is_missing(&self.grid),
+            is_missing(&self.boundaries),
+            simulation.scene().results.checkpoint && self.series.is_some(),
+        ]
+    }
+
+    fn append(&mut self, simulation: &Simulation, row: &[f64]) -> Result<(), RunError> {
+        if let Some(history) = &mut self.history {
+            history.append(simulation.time(), simulation.steps(), row)?;
         }
         Ok(())
-    }
-}
-
-/// Arrays of pore water, where there is any.
-fn of_water(simulation: &Simulation, arrays: impl FnOnce() -> Vec<Array>) -> Vec<Array> {
-    if simulation.has_water() {
-        arrays()
-    } else {
-        vec![]
     }
 }
 
@@ -176,120 +266,5 @@ pub(super) fn worst(all: &mut Vec<ResultWarning>, more: Vec<ResultWarning>) {
             Some(other) => *other = caution,
             None => all.push(caution),
         }
-    }
-}
-
-/// The particles in order of the identifier with the fields of the scene.
-pub(super) fn frame(simulation: &Simulation) -> Frame {
-    let mut order: Vec<(usize, usize)> = vec![];
-    for (s, set) in simulation.sets().iter().enumerate() {
-        order.extend(by_identifier(set).into_iter().map(|p| (s, p)));
-    }
-    let mut fields = simulation.scene().results.fields.clone();
-    fields.sort_unstable();
-    fields.dedup();
-    Frame {
-        time: simulation.time(),
-        step: simulation.steps(),
-        points: order
-            .iter()
-            .map(|&(s, p)| simulation.position(s, p))
-            .collect(),
-        arrays: fields
-            .into_iter()
-            .flat_map(|field| arrays(simulation, &order, field))
-            .collect(),
-        lines: vec![],
-    }
-}
-
-fn arrays(simulation: &Simulation, order: &[(usize, usize)], field: Field) -> Vec<Array> {
-    let set = |s: usize| -> &ParticleSet { &simulation.sets()[s] };
-    let scalar = |name: &str, of: &dyn Fn(usize, usize) -> f64| {
-        vec![Array::new(
-            name,
-            ArrayData::Scalar(order.iter().map(|&(s, p)| of(s, p)).collect()),
-        )]
-    };
-    let integer = |name: &str, of: &dyn Fn(usize, usize) -> i64| {
-        vec![Array::new(
-            name,
-            ArrayData::Integer(order.iter().map(|&(s, p)| of(s, p)).collect()),
-        )]
-    };
-    let vector = |name: &str, of: &dyn Fn(usize, usize) -> [f64; 3]| {
-        vec![Array::new(
-            name,
-            ArrayData::Vector(order.iter().map(|&(s, p)| of(s, p)).collect()),
-        )]
-    };
-    match field {
-        Field::Id => integer("Particle Id", &|s, p| set(s).id[p] as i64),
-        Field::Material => integer("Material Id", &|s, _| simulation.body(s).material_id),
-        Field::Body => integer("Body Id", &|s, _| simulation.body(s).id),
-        Field::Active => integer("Active", &|_, _| 1),
-        Field::Mass => scalar("Mass", &|s, p| simulation.particle_mass(s, p)),
-        Field::Volume => scalar("Volume", &|s, p| simulation.particle_volume(s, p)),
-        Field::Density => scalar("Density", &|s, p| {
-            simulation.particle_mass(s, p) / simulation.particle_volume(s, p)
-        }),
-        Field::Displacement => vector("Displacement", &|s, p| {
-            simulation.displacement(s, p).unwrap_or_default()
-        }),
-        Field::Velocity => vector("Velocity", &|s, p| set(s).velocity(p))
-            .into_iter()
-            .chain(of_water(simulation, || {
-                vector("Water Velocity", &|s, p| {
-                    let first = set(s).layout.water;
-                    first.map_or([f64::NAN; 3], |first| set(s).vector(first, p))
-                })
-            }))
-            .collect(),
-        Field::Stress => (0..STRESS.len())
-            .flat_map(|i| {
-                scalar(&format!("Stress_{}", STRESS[i]), &|s, p| {
-                    set(s).stress(p)[i]
-                })
-            })
-            .collect(),
-        Field::Pressure => scalar("Pressure", &|s, p| {
-            let stress = set(s).stress(p);
-            -(stress[0] + stress[1] + stress[2]) / 3.0
-        })
-        .into_iter()
-        .chain(of_water(simulation, || {
-            scalar("Pore Pressure", &|s, p| {
-                let column = set(s).layout.pore_pressure();
-                column.map_or(f64::NAN, |column| set(s).columns[column][p])
-            })
-        }))
-        .collect(),
-        Field::DeformationGradient => (0..9)
-            .flat_map(|i| {
-                let name = format!(
-                    "Deformation_{}{}",
-                    ["X", "Y", "Z"][i / 3],
-                    ["X", "Y", "Z"][i % 3]
-                );
-                scalar(&name, &|s, p| {
-                    simulation
-                        .deformation(s, p)
-                        .map_or(f64::NAN, |f| f[i / 3][i % 3])
-                })
-            })
-            .collect(),
-        Field::ExternalForce => vector("External Force", &|s, p| simulation.external_force(s, p)),
-        Field::InternalVariables => (simulation.variables().iter())
-            .flat_map(|name| {
-                let columns: Vec<Option<&[f64]>> = simulation
-                    .sets()
-                    .iter()
-                    .map(|set| set.column(name))
-                    .collect();
-                scalar(name, &|s, p| {
-                    columns[s].map_or(f64::NAN, |column| column[p])
-                })
-            })
-            .collect(),
     }
 }

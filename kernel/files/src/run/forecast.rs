@@ -2,7 +2,7 @@
 
 use super::history::HistoryRows;
 use super::schedule::{self, NOMINAL_TIME};
-use super::{boundaries, files, grid, state};
+use super::{boundaries, frames, grid, state};
 use crate::output::history::row;
 use crate::output::pvd::{BOUNDARIES, FrameEntry, GRID, PARTICLES, list_text, name_of};
 use crate::output::vtu;
@@ -115,19 +115,24 @@ impl OutputForecast {
         let mut found = Self::default();
         if results.print > 0 {
             found.frames = steps.outputs.len() as u64;
-            found.frame_bytes = series(PARTICLES, &files::frame(simulation), &steps.outputs);
-            if !results.nodal_fields.is_empty()
-                && let Some(frame) = grid::frame(simulation)
-            {
+            found.frame_bytes = series(
+                PARTICLES,
+                &frames::of_particles(simulation).frame,
+                &steps.outputs,
+            );
+            if !results.nodal_fields.is_empty() {
+                let nodes = grid::frame(simulation).frame;
                 // Nodes have values from the first step on.
-                found.other_frame_bytes += series(GRID, &frame, &steps.outputs[1..]);
+                if !nodes.points.is_empty() {
+                    found.other_frame_bytes += series(GRID, &nodes, &steps.outputs[1..]);
+                }
             }
             if simulation.has_boundaries() {
                 let frame = boundaries::frame(simulation);
                 found.other_frame_bytes += series(BOUNDARIES, &frame, &steps.outputs);
             }
             if results.checkpoint {
-                found.checkpoint_bytes = state::save(simulation).bytes();
+                found.checkpoint_bytes = state::save(simulation).checkpoint.bytes();
             }
         }
         if results.writes_history() {

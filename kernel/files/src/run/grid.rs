@@ -1,25 +1,34 @@
 //! The nodes as a frame.
 
+use super::frames::FramePart;
 use crate::output::{Array, ArrayData, Frame};
 use proctor_scene::NodalField;
 use proctor_scene::simulation::{NodeValues, Simulation};
 
-/// The fields of the nodes with mass that the scene asks for, as the last step left them; `None` before the first.
-pub(super) fn frame(simulation: &Simulation) -> Option<Frame> {
+/// The fields of the nodes with mass of this process that the scene asks for, as the last step left them; no nodes before the
+/// first.
+pub(super) fn frame(simulation: &Simulation) -> FramePart {
     let nodes = simulation.node_values();
-    if nodes.is_empty() {
-        return None;
-    }
     let mut fields = simulation.scene().results.nodal_fields.clone();
     fields.sort_unstable();
     fields.dedup();
-    Some(Frame {
-        time: simulation.time(),
-        step: simulation.steps(),
-        points: nodes.iter().map(|n| n.position).collect(),
-        arrays: fields.into_iter().map(|f| array(&nodes, f)).collect(),
-        lines: vec![],
-    })
+    FramePart {
+        // Field by field: the common one, then those of bodies in order of the identifier. Ranks have planes one after the other.
+        places: nodes
+            .iter()
+            .map(|n| {
+                n.body
+                    .map_or([0, 0], |id| [1, id.cast_unsigned() ^ (1 << 63)])
+            })
+            .collect(),
+        frame: Frame {
+            time: simulation.time(),
+            step: simulation.steps(),
+            points: nodes.iter().map(|n| n.position).collect(),
+            arrays: fields.into_iter().map(|f| array(&nodes, f)).collect(),
+            lines: vec![],
+        },
+    }
 }
 
 fn array(nodes: &[NodeValues], field: NodalField) -> Array {

@@ -16,6 +16,7 @@ mod changeable;
 mod error;
 mod files;
 mod forecast;
+mod frames;
 mod grid;
 mod history;
 mod loads;
@@ -89,57 +90,49 @@ impl Run {
         restart: Option<&Path>,
     ) -> Result<Self, RunError> {
         let ranks = options.ranks.clone().filter(|ranks| ranks.count() > 1);
-        let started = Self::start_alone(scene, options, folder, restart);
-        let mut run = ranks::agree(ranks.as_deref(), started)?;
-        if let Some(ranks) = ranks {
-            let shared = run.simulation.share_among(Arc::clone(&ranks));
-            run.ranks = Some(ranks);
-            shared?;
+        let started = Self::set_up(scene, options, restart);
+        let (mut simulation, changes) = ranks::agree(ranks.as_deref(), started)?;
+        if let Some(ranks) = &ranks {
+            simulation.share_among(Arc::clone(ranks))?;
         }
-        Ok(run)
-    }
-
-    /// Sets up the whole simulation, with its files on the first rank.
-    fn start_alone(
-        scene: &Scene,
-        options: &Options,
-        folder: Option<&Path>,
-        restart: Option<&Path>,
-    ) -> Result<Self, RunError> {
-        let start = match restart {
-            None if options.start.is_none() => start_state::read(scene)?,
-            _ => None,
-        };
-        let (mut simulation, changes) = match (restart, start) {
-            (Some(path), _) => restart::restarted(scene, options, path)?,
-            (None, None) => (Simulation::new(scene, options)?, vec![]),
-            (None, Some(start)) => {
-                let options = Options {
-                    start: Some(Arc::new(start)),
-                    ..options.clone()
-                };
-                (Simulation::new(scene, &options)?, vec![])
-            }
-        };
-        let first = options.ranks.as_ref().is_none_or(|ranks| ranks.rank() == 0);
-        let files = match folder.filter(|_| first) {
-            None => None,
-            Some(folder) => {
-                let folder = OutputFolder::claim(folder)?;
-                let mut files = Files::open(&simulation, folder, restart.is_some())?;
-                files.write(&mut simulation)?;
-                Some(files)
-            }
-        };
+        let open = |path| Files::open(&simulation, path, restart.is_some(), options.in_pieces);
+        let files = folder.map(open).transpose();
+        let mut files = ranks::agree(ranks.as_deref(), files)?;
+        if let Some(files) = &mut files {
+            files.write(&mut simulation)?;
+        }
         Ok(Self {
             simulation,
-            ranks: None,
+            ranks,
             changes,
             files,
             interrupted: false,
             balanced: false,
             failure: None,
         })
+    }
+
+    /// Sets up the simulation, and the changes of a restart in words.
+    fn set_up(
+        scene: &Scene,
+        options: &Options,
+        restart: Option<&Path>,
+    ) -> Result<(Simulation, Vec<String>), RunError> {
+        let start = match restart {
+            None if options.start.is_none() => start_state::read(scene)?,
+            _ => None,
+        };
+        match (restart, start) {
+            (Some(path), _) => restart::restarted(scene, options, path),
+            (None, None) => Ok((Simulation::new(scene, options)?, vec![])),
+            (None, Some(start)) => {
+                let options = Options {
+                    start: Some(Arc::new(start)),
+                    ..options.clone()
+                };
+                Ok((Simulation::new(scene, &options)?, vec![]))
+            }
+        }
     }
 
     /// The simulation.
@@ -174,7 +167,9 @@ impl Run {
         mut observe: impl FnMut(&StepInfo) -> RunControl + Send,
     ) -> Result<(), RunError> {
         while self.step_until(stop, &mut observe)? {
-            self.with_whole(Files::write_due_row)?;
+            if let Some(files) = &mut self.files {
+                files.write_due_row(&mut self.simulation)?;
+            }
         }
         Ok(())
     }
@@ -183,20 +178,6 @@ impl Run {
     #[must_use]
     pub fn is_interrupted(&self) -> bool {
         self.interrupted
-    }
-
-    /// Calls `act` with the files and the whole simulation, on the first of several ranks.
-    fn with_whole(
-        &mut self,
-        act: impl FnOnce(&mut Files, &mut Simulation) -> Result<(), RunError>,
-    ) -> Result<(), RunError> {
-        let part = self.simulation.gather();
-        let files = self.files.as_mut();
-        let done = files.map_or(Ok(()), |files| act(files, &mut self.simulation));
-        if let Some(part) = part {
-            self.simulation.put_back(part);
-        }
-        ranks::agree(self.ranks.as_deref(), done)
     }
 
     /// Steps until the time `stop`, or until a state is to have a row in the history: then true.
@@ -220,7 +201,7 @@ impl Run {
                     *interrupted = true;
                     return Ok(false);
                 }
-                if info.step % STEPS_PER_LOOK == 0 && is_balanced(simulation, ranks) {
+                if info.step % STEPS_PER_LOOK == 0 && is_balanced(simulation) {
                     *balanced = true;
                     return Ok(false);
                 }
@@ -245,43 +226,14 @@ impl Run {
         if self.failure.is_some() {
             return Ok(());
         }
-        self.with_whole(Files::write)
+        let files = self.files.as_mut();
+        files.map_or(Ok(()), |files| files.write(&mut self.simulation))
     }
 
-    /// The energy balance; of several ranks the first has it, and the others zeros.
+    /// The energy balance.
     #[must_use]
     pub fn energy(&mut self) -> Energy {
-        let first = self.ranks.as_ref().is_none_or(|ranks| ranks.rank() == 0);
-        let part = self.simulation.gather();
-        let energy = if first {
-            self.simulation.energy()
-        } else {
-            Energy::default()
-        };
-        if let Some(part) = part {
-            self.simulation.put_back(part);
-        }
-        energy
-    }
-
-    /// Summary of the run and its ending; the caller adds the times of the clock. Of several ranks the first has it; the others
-    /// have the ending alone.
-    #[must_use]
-    pub fn summary(&mut self) -> Summary {
-        let part = self.simulation.gather();
-        let first = self.ranks.as_ref().is_none_or(|ranks| ranks.rank() == 0);
-        let summary = if first {
-            self.summary_of_whole()
-        } else {
-            Summary {
-                status: self.status(),
-                ..Summary::default()
-            }
-        };
-        if let Some(part) = part {
-            self.simulation.put_back(part);
-        }
-        summary
+        self.simulation.energy()
     }
 
     fn status(&self) -> Status {
@@ -292,7 +244,9 @@ impl Run {
         }
     }
 
-    fn summary_of_whole(&mut self) -> Summary {
+    /// Summary of the run and its ending; the caller adds the times of the clock. Several ranks have the same.
+    #[must_use]
+    pub fn summary(&mut self) -> Summary {
         let energy = self.simulation.energy();
         let simulation = &self.simulation;
         let earlier = self.files.as_ref().map(Files::cautions);
@@ -388,27 +342,17 @@ impl Run {
     /// The output folder, where there is one.
     #[must_use]
     pub fn folder(&self) -> Option<&OutputFolder> {
-        self.files.as_ref().map(Files::folder)
+        self.files.as_ref().and_then(Files::folder)
     }
 }
 
 /// True once forces are in balance, where the scene ends by that.
-fn is_balanced(simulation: &mut Simulation, ranks: Option<&dyn Ranks>) -> bool {
+fn is_balanced(simulation: &mut Simulation) -> bool {
     let Some(until) = simulation.scene().until else {
         return false;
     };
-    let part = simulation.gather();
-    let first = ranks.is_none_or(|ranks| ranks.rank() == 0);
-    let share = if first {
-        simulation.unbalanced_share()
-    } else {
-        None
-    };
-    if let Some(part) = part {
-        simulation.put_back(part);
-    }
-    let [balanced] = ranks::any(ranks, [share.is_some_and(|share| share < until)]);
-    balanced
+    let share = simulation.unbalanced_share();
+    share.is_some_and(|share| share < until)
 }
 
 /// The plan as JSON: what is kept, what is left out, why, and the bytes.

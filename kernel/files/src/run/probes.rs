@@ -1,7 +1,6 @@
 //! The columns of probes, and their values of one state.
 
 use proctor_kernel::layout::Layout;
-use proctor_kernel::particles::ParticleSet;
 use proctor_scene::simulation::Simulation;
 use proctor_scene::{ProbeTarget, ProbedQuantity, Vector};
 
@@ -100,40 +99,47 @@ impl FollowedProbe {
     fn particle(&self, simulation: &Simulation, id: u64) -> Option<Vec<f64>> {
         let axes = simulation.plan().axes;
         let set = &simulation.sets()[self.set];
-        let p = set.id.iter().position(|own| *own == id)?;
-        let u = simulation.displacement(self.set, p);
-        let mut row = u.unwrap_or([f64::NAN; 3])[..axes].to_vec();
-        row.extend_from_slice(&set.velocity(p)[..axes]);
-        row.extend_from_slice(&set.stress(p));
-        row.extend(set.variables(p));
-        Some(row)
+        let mut own = simulation.own_particles(set);
+        let row = own.find(|p| set.id[*p] == id).map(|p| {
+            let u = simulation.displacement(self.set, p);
+            let mut row = u.unwrap_or([f64::NAN; 3])[..axes].to_vec();
+            row.extend_from_slice(&set.velocity(p)[..axes]);
+            row.extend_from_slice(&set.stress(p));
+            row.extend(set.variables(p));
+            row
+        });
+        let Some(ranks) = simulation.ranks() else {
+            return row;
+        };
+        let words: Vec<u64> = row.iter().flatten().map(|value| value.to_bits()).collect();
+        let mut all = ranks.all_gather(&words).into_iter();
+        let found = all.find(|words| !words.is_empty())?;
+        Some(found.into_iter().map(f64::from_bits).collect())
     }
 
-    /// Means over the body: displacement and velocity by mass, stress by volume. Summed in the order of the identifiers, so
-    /// that they do not depend on how particles are stored.
+    /// Means over the body: displacement and velocity by mass, stress by volume. The sums are exact, so that they do not depend on
+    /// how particles are stored.
     fn means(&self, simulation: &Simulation) -> Option<Vec<f64>> {
         let axes = simulation.plan().axes;
         let set = &simulation.sets()[self.set];
-        let (mut mass, mut volume) = (0.0, 0.0);
-        let (mut u, mut v, mut stress) = ([0.0; 3], [0.0; 3], [0.0; 6]);
-        for p in by_identifier(set) {
+        set.layout.displacement_origin?;
+        let sums: [f64; 14] = simulation.sums_of(self.set, |p| {
             let m = set.columns[Layout::MASS][p];
-            let own = simulation.particle_volume(self.set, p);
-            let (u_p, v_p) = (simulation.displacement(self.set, p)?, set.velocity(p));
-            mass += m;
-            volume += own;
-            for axis in 0..3 {
-                u[axis] += m * u_p[axis];
-                v[axis] += m * v_p[axis];
-            }
-            for (sum, of_particle) in stress.iter_mut().zip(set.stress(p)) {
-                *sum += own * of_particle;
-            }
-        }
+            let volume = simulation.particle_volume(self.set, p);
+            let [ux, uy, uz] = simulation
+                .displacement(self.set, p)
+                .unwrap_or([f64::NAN; 3]);
+            let [vx, vy, vz] = set.velocity(p);
+            let [xx, yy, zz, yz, xz, xy] = set.stress(p).map(|s| volume * s);
+            let [ux, uy, uz, vx, vy, vz] = [ux, uy, uz, vx, vy, vz].map(|c| m * c);
+            [m, volume, ux, uy, uz, vx, vy, vz, xx, yy, zz, yz, xz, xy]
+        });
+        let (mass, volume) = (sums[0], sums[1]);
+        let [u, v, stress] = [&sums[2..5], &sums[5..8], &sums[8..]];
         (mass > 0.0).then(|| {
             let mut row: Vec<f64> = u[..axes].iter().map(|c| c / mass).collect();
             row.extend(v[..axes].iter().map(|c| c / mass));
-            row.extend(stress.map(|c| c / volume));
+            row.extend(stress.iter().map(|c| c / volume));
             row
         })
     }
@@ -159,7 +165,7 @@ impl FollowedProbe {
             ProbedQuantity::PlasticStrain => column.map_or(f64::NAN, |column| column[p]),
         };
         let mut best: Option<(f64, usize)> = None;
-        for p in 0..set.len() {
+        for p in simulation.own_particles(set) {
             let own = value(p);
             let is_larger =
                 best.is_none_or(|(most, q)| own > most || (own == most && set.id[p] < set.id[q]));
@@ -167,18 +173,22 @@ impl FollowedProbe {
                 best = Some((own, p));
             }
         }
-        let (most, p) = best?;
-        let mut row = vec![most, set.id[p] as f64];
-        row.extend_from_slice(&simulation.position(self.set, p)[..simulation.plan().axes]);
-        Some(row)
+        let row = best.map(|(most, p)| {
+            let mut row = vec![most, set.id[p] as f64];
+            row.extend_from_slice(&simulation.position(self.set, p)[..simulation.plan().axes]);
+            row
+        });
+        let Some(ranks) = simulation.ranks() else {
+            return row;
+        };
+        let words: Vec<u64> = row.iter().flatten().map(|value| value.to_bits()).collect();
+        let all = ranks.all_gather(&words).into_iter();
+        let rows = all.map(|words| words.into_iter().map(f64::from_bits).collect::<Vec<f64>>());
+        rows.filter(|row| !row.is_empty()).reduce(|best, row| {
+            let is_larger = row[0] > best[0] || (row[0] == best[0] && row[1] < best[1]);
+            if is_larger { row } else { best }
+        })
     }
-}
-
-/// Places of the particles of a set in the order of their identifiers.
-pub(super) fn by_identifier(set: &ParticleSet) -> Vec<usize> {
-    let mut order: Vec<usize> = (0..set.len()).collect();
-    order.sort_unstable_by_key(|&p| set.id[p]);
-    order
 }
 
 fn length(v: Vector) -> f64 {
@@ -196,7 +206,7 @@ fn mises([xx, yy, zz, yz, xz, xy]: [f64; 6]) -> f64 {
 fn nearest(simulation: &Simulation, position: &Vector) -> Option<(usize, u64)> {
     let mut best: Option<(f64, u64, usize)> = None;
     for (s, set) in simulation.sets().iter().enumerate() {
-        for p in 0..set.len() {
+        for p in simulation.own_particles(set) {
             let x = simulation
                 .initial_position(s, p)
                 .unwrap_or_else(|| simulation.position(s, p));
@@ -206,6 +216,18 @@ fn nearest(simulation: &Simulation, position: &Vector) -> Option<(usize, u64)> {
             // Of equally near particles the one with the smallest identifier, whatever their order.
             if best.is_none_or(|(d, id, _)| (square, set.id[p]) < (d, id)) {
                 best = Some((square, set.id[p], s));
+            }
+        }
+    }
+    if let Some(ranks) = simulation.ranks() {
+        let words = best.map(|(square, id, set)| vec![square.to_bits(), id, set as u64]);
+        for words in ranks.all_gather(&words.unwrap_or_default()) {
+            let &[square, id, set] = words.as_slice() else {
+                continue;
+            };
+            let one = (f64::from_bits(square), id, set as usize);
+            if best.is_none_or(|(d, id, _)| (one.0, one.1) < (d, id)) {
+                best = Some(one);
             }
         }
     }

@@ -35,7 +35,11 @@ pub(super) fn of(
     name: &str,
     keeps_velocity: bool,
 ) -> Result<StartState, CheckpointError> {
-    bodies(&save(simulation), Path::new(name), keeps_velocity)
+    bodies(
+        &save(simulation).checkpoint,
+        Path::new(name),
+        keeps_velocity,
+    )
 }
 
 fn bodies(

@@ -1,7 +1,8 @@
 //! The whole state of a simulation in a checkpoint, bit by bit.
 
 use super::changeable::{self, Changeable};
-use super::{RunError, loads};
+use super::{RunError, loads, ranks};
+use crate::output::checkpoint::{SectionPart, SharedCheckpoint};
 use crate::output::{Checkpoint, CheckpointError};
 use proctor_kernel::particles::ParticleSet;
 use proctor_kernel::stage::g2p::ParticleMaxima;
@@ -11,7 +12,7 @@ use proctor_scene::simulation::{
     Violation,
 };
 use proctor_scene::{Results, Scene, StateFile};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Fingerprint of what a scene simulates: not its name, its end, its gravity, its local damping, its planes, its box
 /// loads, its outputs or its threads, which a restart may change.
@@ -38,9 +39,24 @@ pub(super) fn fingerprint(scene: &Scene) -> u64 {
         })
 }
 
-/// The state as a checkpoint.
-pub(super) fn save(simulation: &Simulation) -> Checkpoint {
-    let saved = simulation.save();
+/// Writes the state as a checkpoint, which ranks do together: the file has the bytes that one process would write.
+///
+/// # Errors
+/// See [`Checkpoint::write`] and [`SharedCheckpoint::write`].
+pub(super) fn write(simulation: &Simulation, path: &Path) -> Result<(), RunError> {
+    let saved = save(simulation);
+    let ranks = simulation.ranks();
+    let written = match ranks {
+        None => saved.checkpoint.write(path),
+        Some(ranks) => saved.write(path, ranks).map(|_| ()),
+    };
+    ranks::agree(ranks, written.map_err(RunError::from))
+}
+
+/// The state as a checkpoint; of ranks the part of this one.
+pub(super) fn save(simulation: &Simulation) -> SharedCheckpoint {
+    let (saved, of_sets) = simulation.save_part();
+    let mut parts = vec![];
     let mut checkpoint = Checkpoint::new(fingerprint(simulation.scene()));
     checkpoint.push::<u64>("counters", counters(&saved.state).to_vec());
     checkpoint.push::<f64>("numbers", numbers(&saved.state).to_vec());
@@ -67,12 +83,19 @@ pub(super) fn save(simulation: &Simulation) -> Checkpoint {
             format!("set{i}/names"),
             names.bytes().map(u64::from).collect(),
         );
+        let part = |checkpoint: &Checkpoint| SectionPart {
+            section: checkpoint.sections.len(),
+            before: of_sets[i].before as u64,
+            all: of_sets[i].all as u64,
+        };
+        parts.push(part(&checkpoint));
         checkpoint.push::<u64>(format!("set{i}/id"), set.id);
         checkpoint.push::<u64>(
             format!("set{i}/layers"),
             set.layers.into_iter().map(|l| l as u64).collect(),
         );
         for (c, column) in set.columns.into_iter().enumerate() {
+            parts.push(part(&checkpoint));
             checkpoint.push::<f64>(format!("set{i}/column{c}"), column);
         }
     }
@@ -94,7 +117,7 @@ pub(super) fn save(simulation: &Simulation) -> Checkpoint {
         state.extremes.stretched_share,
     ];
     checkpoint.push::<f64>("extremes/numbers", extremes);
-    checkpoint
+    SharedCheckpoint { checkpoint, parts }
 }
 
 /// Text that was written as its bytes.

@@ -93,6 +93,8 @@ pub struct Options {
     /// Ranks that share each step, while every one of them has the whole simulation between two steps
     /// ([`share_steps_among`](proctor_kernel::simulation::Cycle::share_steps_among)).
     pub step_ranks: Option<Arc<dyn Ranks>>,
+    /// True for frames in a piece of each rank, whatever their number of points; else those of more than ten million points are.
+    pub in_pieces: bool,
     /// Memory that the scene may need; else all that the machine has free.
     pub memory: Option<Memory>,
 }
@@ -166,6 +168,7 @@ impl fmt::Debug for Options {
                 "step_ranks",
                 &self.step_ranks.as_ref().map(|ranks| ranks.count()),
             )
+            .field("in_pieces", &self.in_pieces)
             .field("memory", &self.memory)
             .finish()
     }

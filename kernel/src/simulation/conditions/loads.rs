@@ -187,13 +187,15 @@ impl Cycle {
             let Ok(areas) = areas(settings, &self.work.grid.shape, i, load) else {
                 continue;
             };
-            let sum = |left: bool| {
-                let of = areas
-                    .iter()
-                    .filter(|(node, _)| !left || masses.at(*node) <= 0.0);
-                of.map(|(_, area)| area).sum::<f64>()
-            };
-            let (lost, whole) = (sum(true), sum(false));
+            let here = areas
+                .iter()
+                .map(|(node, _)| f64::from(self.owns(*node) && masses.at(*node) > 0.0));
+            let mut has_mass: Vec<f64> = here.collect();
+            self.join_most(&mut has_mass);
+            let nodes = areas.iter().zip(&has_mass);
+            let left = nodes.filter(|(_, has_mass)| **has_mass == 0.0);
+            let lost: f64 = left.map(|((_, area), _)| area).sum();
+            let whole: f64 = areas.iter().map(|(_, area)| area).sum();
             if lost > 0.0 {
                 all.push((i, lost / whole));
             }

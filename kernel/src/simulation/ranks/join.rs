@@ -38,11 +38,18 @@ pub(in crate::simulation) struct Removed {
 
 impl Cycle {
     /// Particles of a set that this process owns; all, where no ranks share them.
-    pub(in crate::simulation) fn own_particles(&self, set: &ParticleSet) -> Range<usize> {
+    #[must_use]
+    pub fn own_particles(&self, set: &ParticleSet) -> Range<usize> {
         match &self.work.share {
             None => 0..set.len(),
             Some(share) => set.in_layers(share.planes()),
         }
+    }
+
+    /// True for a node of a plane that this process owns.
+    pub(in crate::simulation) fn owns(&self, node: usize) -> bool {
+        let [plane, ..] = self.work.grid.shape.indices(node);
+        self.work.grid.owned.contains(&plane)
     }
 
     /// Takes removed particles out of the number of all.
@@ -52,7 +59,9 @@ impl Cycle {
         }
     }
 
-    fn ranks(&self) -> Option<&dyn Ranks> {
+    /// The ranks that share the simulation.
+    #[must_use]
+    pub fn ranks(&self) -> Option<&dyn Ranks> {
         self.work.share.as_ref().map(|share| &*share.ranks)
     }
 

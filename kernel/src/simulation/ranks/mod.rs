@@ -7,15 +7,18 @@
 //! either side, which come from the two neighbours in one message after the equation of motion. Sums over planes are
 //! folded in order of the planes, sums over particles are exact, and all else that ranks join is a maximum or a count.
 
+mod by_identifier;
 mod cut;
 mod exchange;
 mod forecast;
 mod join;
 mod migrate;
+mod saved;
 mod whole;
 
 pub use forecast::RankForecast;
 pub(super) use join::Removed;
+pub use saved::PartOfSet;
 pub use whole::OwnPart;
 
 use super::Cycle;

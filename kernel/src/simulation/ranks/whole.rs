@@ -69,13 +69,8 @@ impl Cycle {
 
     /// Takes up the parts of all ranks; the own part as it was.
     fn take_up(&mut self, share: Share, received: &[Vec<u64>]) -> OwnPart {
-        let empty = |set: &ParticleSet| ParticleSet {
-            layout: set.layout,
-            id: vec![],
-            columns: vec![vec![]; set.columns.len()],
-            layers: vec![],
-        };
-        let whole = self.state.sets.iter().map(empty).collect();
+        let whole = self.state.sets.iter().map(ParticleSet::without_particles);
+        let whole = whole.collect();
         let sets = std::mem::replace(&mut self.state.sets, whole);
         let grid = &mut self.work.grid;
         let fields = grid.fields.iter_mut();

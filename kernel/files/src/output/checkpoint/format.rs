@@ -24,7 +24,7 @@ use std::fs::File;
 use std::io::{self, Read, Write};
 use std::path::Path;
 
-use flate2::Crc;
+use crc32fast::Hasher;
 
 use super::super::little_endian::{self, LittleEndian};
 use super::{Checkpoint, CheckpointError, Section, SectionData, VERSION};
@@ -32,40 +32,70 @@ use super::{Checkpoint, CheckpointError, Section, SectionData, VERSION};
 /// First bytes as in PNG: the first byte is not text, and the line ends show a transfer that changed them.
 const MAGIC: [u8; 8] = *b"\x89PRC\r\n\x1a\n";
 /// Magic, version, sections, fingerprint, length.
-const HEADER: usize = 32;
-const CHECKSUM: usize = 4;
+pub(super) const HEADER: usize = 32;
+pub(super) const CHECKSUM: usize = 4;
 
 /// Length of the file of `checkpoint` in bytes.
 pub(super) fn length(checkpoint: &Checkpoint) -> u64 {
-    let body: usize = checkpoint.sections.iter().map(stored_size).sum();
+    let stored =
+        |section: &Section| head_length(section) + width(&section.data) * section.data.len();
+    let body: usize = checkpoint.sections.iter().map(stored).sum();
     (HEADER + body + CHECKSUM) as u64
 }
 
 /// Writes the bytes of `checkpoint`.
 pub(super) fn write(checkpoint: &Checkpoint, file: &mut dyn Write) -> io::Result<()> {
-    let mut file = ChecksumWriter {
-        file,
-        crc: Crc::new(),
-    };
-    file.write_all(&MAGIC)?;
-    file.write_all(&VERSION.to_le_bytes())?;
-    file.write_all(&length_u32(checkpoint.sections.len())?.to_le_bytes())?;
-    file.write_all(&checkpoint.fingerprint.to_le_bytes())?;
-    file.write_all(&length(checkpoint).to_le_bytes())?;
-    for Section { name, data } in &checkpoint.sections {
-        file.write_all(&[type_code(data)])?;
-        file.write_all(&length_u32(name.len())?.to_le_bytes())?;
-        file.write_all(name.as_bytes())?;
-        file.write_all(&(data.len() as u64).to_le_bytes())?;
-        match data {
-            SectionData::F64(values) => little_endian::write(values.iter().copied(), &mut file)?,
-            SectionData::U64(values) => little_endian::write(values.iter().copied(), &mut file)?,
-            SectionData::I64(values) => little_endian::write(values.iter().copied(), &mut file)?,
-            SectionData::U8(values) => file.write_all(values)?,
-        }
+    let mut file = ChecksumWriter::new(file);
+    file.write_all(&header(checkpoint, length(checkpoint))?)?;
+    for section in &checkpoint.sections {
+        file.write_all(&head(section, section.data.len() as u64)?)?;
+        write_values(&section.data, &mut file)?;
     }
-    let checksum = file.crc.sum();
+    let checksum = file.sum();
     file.write_all(&checksum.to_le_bytes())
+}
+
+/// The bytes before the first section, of a file of this length.
+pub(super) fn header(checkpoint: &Checkpoint, length: u64) -> io::Result<Vec<u8>> {
+    let mut bytes = MAGIC.to_vec();
+    bytes.extend(VERSION.to_le_bytes());
+    bytes.extend(length_u32(checkpoint.sections.len())?.to_le_bytes());
+    bytes.extend(checkpoint.fingerprint.to_le_bytes());
+    bytes.extend(length.to_le_bytes());
+    Ok(bytes)
+}
+
+/// The bytes of a section before its values, of which there are so many.
+pub(super) fn head(section: &Section, count: u64) -> io::Result<Vec<u8>> {
+    let mut bytes = vec![type_code(&section.data)];
+    bytes.extend(length_u32(section.name.len())?.to_le_bytes());
+    bytes.extend(section.name.as_bytes());
+    bytes.extend(count.to_le_bytes());
+    Ok(bytes)
+}
+
+/// Number of these bytes.
+pub(super) fn head_length(section: &Section) -> usize {
+    1 + 4 + section.name.len() + 8
+}
+
+/// Writes the values of a section.
+pub(super) fn write_values(data: &SectionData, file: &mut impl Write) -> io::Result<()> {
+    match data {
+        SectionData::F64(values) => little_endian::write(values.iter().copied(), file),
+        SectionData::U64(values) => little_endian::write(values.iter().copied(), file),
+        SectionData::I64(values) => little_endian::write(values.iter().copied(), file),
+        SectionData::U8(values) => file.write_all(values),
+    }
+}
+
+/// Bytes of a value of a section.
+pub(super) fn width(data: &SectionData) -> usize {
+    if matches!(data, SectionData::U8(_)) {
+        1
+    } else {
+        8
+    }
 }
 
 /// Reads the checkpoint `path`; see [`Checkpoint::read`].
@@ -90,9 +120,7 @@ pub(super) fn read(path: &Path) -> Result<Checkpoint, CheckpointError> {
     check_length(path, expected, bytes.len() as u64)?;
 
     let (content, checksum) = bytes.split_at(bytes.len() - CHECKSUM);
-    let mut crc = Crc::new();
-    crc.update(content);
-    let (expected, found) = (u32::get(checksum), crc.sum());
+    let (expected, found) = (u32::get(checksum), crc32fast::hash(content));
     if expected != found {
         return Err(CheckpointError::Checksum {
             path: path.to_path_buf(),
@@ -198,15 +226,6 @@ fn type_code(data: &SectionData) -> u8 {
     }
 }
 
-fn stored_size(section: &Section) -> usize {
-    let width = if matches!(section.data, SectionData::U8(_)) {
-        1
-    } else {
-        8
-    };
-    1 + 4 + section.name.len() + 8 + width * section.data.len()
-}
-
 fn length_u32(length: usize) -> io::Result<u32> {
     u32::try_from(length).map_err(|_| {
         io::Error::new(
@@ -217,12 +236,31 @@ fn length_u32(length: usize) -> io::Result<u32> {
 }
 
 /// Sums up what passes through.
-struct ChecksumWriter<'a> {
-    file: &'a mut dyn Write,
-    crc: Crc,
+pub(super) struct ChecksumWriter<W> {
+    file: W,
+    crc: Hasher,
 }
 
-impl Write for ChecksumWriter<'_> {
+impl<W: Write> ChecksumWriter<W> {
+    pub(super) fn new(file: W) -> Self {
+        Self {
+            file,
+            crc: Hasher::new(),
+        }
+    }
+
+    /// Adds bytes that somebody else has written, by their checksum.
+    pub(super) fn add_part(&mut self, part: &Hasher) {
+        self.crc.combine(part);
+    }
+
+    /// The checksum so far.
+    pub(super) fn sum(&self) -> u32 {
+        self.crc.clone().finalize()
+    }
+}
+
+impl<W: Write> Write for ChecksumWriter<W> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         let written = self.file.write(bytes)?;
         self.crc.update(&bytes[..written]);

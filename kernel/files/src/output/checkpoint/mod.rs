@@ -8,9 +8,11 @@ use std::path::Path;
 mod error;
 mod format;
 mod section;
+mod shared;
 
 pub use error::CheckpointError;
 pub use section::{Section, SectionData, SectionNumber};
+pub use shared::{SectionPart, SharedCheckpoint};
 
 use super::atomic;
 
@@ -123,17 +125,19 @@ impl Checkpoint {
     /// # Errors
     /// [`CheckpointError::RepeatedSection`], [`CheckpointError::Write`].
     pub fn write(&self, path: &Path) -> Result<(), CheckpointError> {
-        let mut names = HashSet::new();
-        if let Some(twice) = self
-            .sections
-            .iter()
-            .find(|section| !names.insert(section.name.as_str()))
-        {
-            return Err(CheckpointError::RepeatedSection {
-                name: twice.name.clone(),
-            });
-        }
+        self.require_different_names()?;
         atomic::write(path, |file| format::write(self, file)).map_err(CheckpointError::Write)
+    }
+
+    fn require_different_names(&self) -> Result<(), CheckpointError> {
+        let mut names = HashSet::new();
+        let mut sections = self.sections.iter();
+        match sections.find(|section| !names.insert(section.name.as_str())) {
+            None => Ok(()),
+            Some(twice) => Err(CheckpointError::RepeatedSection {
+                name: twice.name.clone(),
+            }),
+        }
     }
 
     /// Reads the checkpoint `path`. Every change of its bytes is found.

@@ -55,6 +55,16 @@ impl Array {
             data,
         }
     }
+
+    /// An array of the same name and kind without values.
+    pub(crate) fn without_values(&self) -> Self {
+        let data = match self.data {
+            ArrayData::Scalar(_) => ArrayData::Scalar(vec![]),
+            ArrayData::Integer(_) => ArrayData::Integer(vec![]),
+            ArrayData::Vector(_) => ArrayData::Vector(vec![]),
+        };
+        Self::new(self.name.clone(), data)
+    }
 }
 
 /// One value per particle, in SI units.
@@ -76,6 +86,15 @@ impl ArrayData {
             Self::Scalar(values) => values.len(),
             Self::Integer(values) => values.len(),
             Self::Vector(values) => values.len(),
+        }
+    }
+
+    /// The values in another order: those at these places.
+    pub(crate) fn in_order(&self, order: &[usize]) -> Self {
+        match self {
+            Self::Scalar(values) => Self::Scalar(order.iter().map(|&i| values[i]).collect()),
+            Self::Integer(values) => Self::Integer(order.iter().map(|&i| values[i]).collect()),
+            Self::Vector(values) => Self::Vector(order.iter().map(|&i| values[i]).collect()),
         }
     }
 

@@ -1,0 +1,226 @@
+//! The files of ranks that share a run are those of one process, byte by byte; in pieces, those of one frame.
+
+use proctor_files::json::read;
+use proctor_files::run::{Run, RunControl};
+use proctor_kernel::ranks::{Ranks, of_threads};
+use proctor_scene::simulation::Options;
+use proctor_scene::{Field, NodalField, Probe, ProbeTarget, ProbedQuantity, Scene};
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// A dam on a moving base with all outputs: frames of particles and nodes, histories with probes, checkpoints.
+fn scene() -> Scene {
+    let path = Path::new("../../fixtures/scenes/shaken_base_2d.json");
+    let mut scene = read(path).unwrap_or_else(|error| panic!("{error}"));
+    scene.time = 0.06;
+    scene.results.print = 3;
+    scene.results.checkpoint = true;
+    scene.results.fields = vec![
+        Field::Id,
+        Field::Velocity,
+        Field::Stress,
+        Field::Displacement,
+    ];
+    scene.results.nodal_fields = vec![NodalField::Mass, NodalField::Velocity];
+    let body = scene.bodies[0].id;
+    let probe = |name: &str, target| Probe {
+        name: name.to_owned(),
+        target,
+    };
+    scene.probes = vec![
+        probe("middle", ProbeTarget::Point([1.0, 0.3, 0.0])),
+        probe("mean", ProbeTarget::Body(body)),
+        probe(
+            "most",
+            ProbeTarget::Largest {
+                body,
+                quantity: ProbedQuantity::Velocity,
+            },
+        ),
+    ];
+    scene
+}
+
+/// Runs to the end or to an output; the summary's hash.
+fn run(scene: &Scene, options: &Options, folder: &Path, from: Option<&Path>, stops: usize) -> u64 {
+    let mut run =
+        Run::start(scene, options, Some(folder), from).unwrap_or_else(|error| panic!("{error}"));
+    for _ in 0..stops {
+        let Some(stop) = run.next_stop() else { break };
+        run.advance(stop, |_| RunControl::On)
+            .expect("the steps are sound");
+        run.write().expect("the files are written");
+    }
+    let summary = run.summary();
+    assert_eq!(summary.state_hash, run.simulation().state_hash());
+    summary.state_hash
+}
+
+/// The same on ranks, each a thread.
+fn run_on(
+    count: usize,
+    in_pieces: bool,
+    scene: &Scene,
+    folder: &Path,
+    (from, stops): (Option<&Path>, usize),
+) -> u64 {
+    std::thread::scope(|scope| {
+        let one = |rank| {
+            let options = Options {
+                threads: Some(1),
+                ranks: Some(Arc::new(rank) as Arc<dyn Ranks>),
+                in_pieces,
+                ..Options::default()
+            };
+            move || run(scene, &options, folder, from, stops)
+        };
+        let ranks = of_threads(count).into_iter();
+        let all: Vec<_> = ranks.map(|rank| scope.spawn(one(rank))).collect();
+        let hashes = all.into_iter().map(|rank| rank.join().expect("no panic"));
+        let hashes: Vec<u64> = hashes.collect();
+        assert!(hashes.iter().all(|hash| *hash == hashes[0]), "{hashes:?}");
+        hashes[0]
+    })
+}
+
+/// Every file in a folder and below it, with its bytes.
+fn files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
+    let mut all = BTreeMap::new();
+    let mut folders = vec![folder.to_path_buf()];
+    while let Some(next) = folders.pop() {
+        for entry in fs::read_dir(next).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                folders.push(path);
+                continue;
+            }
+            let name = path.strip_prefix(folder).unwrap().to_path_buf();
+            all.insert(name, fs::read(&path).unwrap());
+        }
+    }
+    all
+}
+
+fn assert_same(found: &Path, expected: &Path, what: &str) {
+    let (found, expected) = (files(found), files(expected));
+    let names = |files: &BTreeMap<PathBuf, Vec<u8>>| files.keys().cloned().collect::<Vec<_>>();
+    assert_eq!(names(&found), names(&expected), "{what}");
+    for (name, bytes) in &expected {
+        assert!(found[name] == *bytes, "{what}: {} differs", name.display());
+    }
+}
+
+fn one_process(scene: &Scene, folder: &Path) -> u64 {
+    let options = Options {
+        threads: Some(1),
+        ..Options::default()
+    };
+    run(scene, &options, folder, None, 9)
+}
+
+#[test]
+fn ranks_write_the_files_of_one_process() {
+    let scene = scene();
+    let alone = tempfile::tempdir().unwrap();
+    let hash = one_process(&scene, alone.path());
+    assert!(
+        files(alone.path()).len() > 10,
+        "{:?}",
+        files(alone.path()).keys()
+    );
+    for count in [2, 3] {
+        let shared = tempfile::tempdir().unwrap();
+        assert_eq!(run_on(count, false, &scene, shared.path(), (None, 9)), hash);
+        assert_same(shared.path(), alone.path(), &format!("{count} ranks"));
+    }
+}
+
+/// A run on two ranks that ends early goes on on three, and on one process; one of one process on two.
+#[test]
+fn any_number_of_ranks_goes_on() {
+    let scene = scene();
+    let alone = tempfile::tempdir().unwrap();
+    let hash = one_process(&scene, alone.path());
+    for (before, after) in [(2, 3), (2, 1), (1, 2)] {
+        let shared = tempfile::tempdir().unwrap();
+        let checkpoint = shared.path().join("checkpoint.bin");
+        let on = |count: usize, how: (Option<&Path>, usize)| {
+            run_on(count, false, &scene, shared.path(), how)
+        };
+        assert_ne!(on(before, (None, 2)), hash);
+        assert_eq!(on(after, (Some(&checkpoint), 9)), hash);
+        assert_same(
+            shared.path(),
+            alone.path(),
+            &format!("{before}, then {after}"),
+        );
+    }
+}
+
+/// Values of an array of a frame, by its name, as the file has them.
+fn appended(bytes: &[u8], name: &str) -> Vec<u8> {
+    let text = String::from_utf8_lossy(bytes);
+    let line = text
+        .lines()
+        .find(|line| line.contains(&format!("Name=\"{name}\"")));
+    let line = line.unwrap_or_else(|| panic!("no array {name}"));
+    let offset = line.rsplit_once("offset=\"").unwrap().1;
+    let offset: usize = offset.split_once('"').unwrap().0.parse().unwrap();
+    let marker = b"<AppendedData encoding=\"raw\">\n_";
+    let start = bytes
+        .windows(marker.len())
+        .position(|w| w == marker)
+        .unwrap()
+        + marker.len();
+    let own = &bytes[start + offset..];
+    let length = u64::from_le_bytes(own[..8].try_into().unwrap()) as usize;
+    own[8..8 + length].to_vec()
+}
+
+/// The particles of all pieces are those of the whole frame.
+#[test]
+fn pieces_of_a_frame_are_the_whole() {
+    let scene = scene();
+    let (alone, shared) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+    one_process(&scene, alone.path());
+    run_on(3, true, &scene, shared.path(), (None, 9));
+    let list = fs::read_to_string(shared.path().join("particles.pvd")).unwrap();
+    let parallel = fs::read_to_string(shared.path().join("particles_000002.pvtu")).unwrap();
+    assert!(list.contains("file=\"particles_000002.pvtu\""), "{list}");
+    for name in ["Particle Id", "Velocity", "Stress_XX", "Displacement"] {
+        assert!(parallel.contains(&format!("Name=\"{name}\"")), "{parallel}");
+    }
+    let whole = fs::read(alone.path().join("particles_000002.vtu")).unwrap();
+    let pieces: Vec<Vec<u8>> = (0..3)
+        .map(|rank| {
+            let name = format!("particles_000002/{rank}.vtu");
+            assert!(parallel.contains(&format!("<Piece Source=\"{name}\"/>")));
+            fs::read(shared.path().join(name)).unwrap()
+        })
+        .collect();
+    let values = |bytes: &[u8], name: &str, width: usize| -> Vec<Vec<u8>> {
+        let all = appended(bytes, name);
+        all.chunks(width).map(<[u8]>::to_vec).collect()
+    };
+    for (name, width) in [("Velocity", 24), ("Stress_XX", 8), ("Points", 24)] {
+        let by_id = |bytes: &[u8]| -> Vec<(Vec<u8>, Vec<u8>)> {
+            let ids = values(bytes, "Particle Id", 8);
+            ids.into_iter().zip(values(bytes, name, width)).collect()
+        };
+        let mut found: Vec<_> = pieces.iter().flat_map(|bytes| by_id(bytes)).collect();
+        found.sort_by_key(|(id, _)| i64::from_le_bytes(id[..].try_into().unwrap()));
+        assert_eq!(found, by_id(&whole), "{name}");
+    }
+    // Each rank has some.
+    assert!(
+        pieces
+            .iter()
+            .all(|bytes| !values(bytes, "Particle Id", 8).is_empty())
+    );
+    assert!(shared.path().join("grid_000001.pvtu").exists());
+    // A run anew takes them all away.
+    one_process(&scene, shared.path());
+    assert_same(shared.path(), alone.path(), "anew");
+}
