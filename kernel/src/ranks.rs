@@ -37,6 +37,13 @@ pub trait Ranks: Send + Sync {
         Duration::ZERO
     }
 
+    /// The first rank on which something holds.
+    fn first_with(&self, here: bool) -> Option<usize> {
+        let all = self.all_gather(&[u64::from(here)]);
+        all.iter()
+            .position(|words| words.first().is_some_and(|word| *word != 0))
+    }
+
     /// Puts the largest of each number over all ranks in its place.
     fn join_most(&self, numbers: &mut [f64]) {
         let words: Vec<u64> = numbers.iter().map(|number| number.to_bits()).collect();

@@ -29,6 +29,7 @@ mod result_quality;
 mod spin;
 mod start;
 mod state;
+mod state_hash;
 mod step;
 mod step_view;
 mod tension;

@@ -7,9 +7,10 @@ use super::tension::TensionWatch;
 use crate::grid::GridShape;
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
+use crate::ranks::Ranks;
 use crate::simulation::fields::Grid;
 use crate::simulation::model::Model;
-use crate::simulation::values::{MOST_VOLUME_RATIO, SetupError, State};
+use crate::simulation::values::{MOST_VOLUME_RATIO, SetupError, SharingRefusal, State};
 use crate::simulation::work_state::WorkState;
 use crate::stage::g2p::ParticleMaxima;
 use crate::team::Team;
@@ -29,6 +30,9 @@ pub struct Start {
     pub least_share: Option<usize>,
     /// True where no volume has changed yet.
     pub is_undeformed: bool,
+    /// Ranks that share the simulation from the start. The particle sets then are the part of this one: those of all ranks, one after
+    /// the other, are the whole in order of the position.
+    pub ranks: Option<Arc<dyn Ranks>>,
 }
 
 impl Cycle {
@@ -54,12 +58,20 @@ impl Cycle {
         for set in &mut simulation.state.sets {
             set.sort_by_position(&simulation.work.grid.team);
         }
-        let settings = &simulation.model.settings;
-        simulation.work.tension = TensionWatch::new(settings, &simulation.state.sets);
+        if let Some(ranks) = start.ranks {
+            simulation.begin_shared(ranks).map_err(SetupError::Ranks)?;
+        }
+        let sets = simulation.state.sets.iter();
+        let identifiers: Vec<[u64; 2]> = sets.map(|set| simulation.identifiers(&set.id)).collect();
+        simulation.work.tension = TensionWatch::new(&simulation.model.settings, &identifiers);
         simulation.sort_if_stale();
-        let view = simulation.view();
-        for one in simulation.interactions() {
-            one.start(&view)?;
+        let started = simulation.start_interactions();
+        let failed = simulation
+            .ranks()
+            .and_then(|ranks| ranks.first_with(started.is_err()));
+        started?;
+        if let Some(rank) = failed {
+            return Err(SetupError::Ranks(SharingRefusal::OtherRank { rank }));
         }
         simulation.open_ledger();
         if start.is_undeformed {
@@ -70,6 +82,12 @@ impl Cycle {
         let imbalance = simulation.initial_imbalance();
         simulation.model.plan.warnings.extend(imbalance);
         Ok(simulation)
+    }
+
+    fn start_interactions(&self) -> Result<(), SetupError> {
+        let view = self.view();
+        let mut interactions = self.interactions();
+        interactions.try_for_each(|one| one.start(&view))
     }
 }
 

@@ -41,6 +41,7 @@ impl Cycle {
             one.restore(was);
         }
         self.set_fields();
+        self.join_diffusivity();
         Ok(())
     }
 

@@ -112,15 +112,16 @@ impl TensionWatch {
     }
 
     /// The watch of bodies at the start; `None` where the method holds, and with linear functions.
-    pub(super) fn new(settings: &CycleSettings, sets: &[ParticleSet]) -> Option<Self> {
-        let of = |set: &ParticleSet| Growth {
-            first: set.id.iter().copied().min().unwrap_or(0),
-            logarithm: vec![0.0; set.len()],
+    /// Bodies by their first and last identifier.
+    pub(super) fn new(settings: &CycleSettings, bodies: &[[u64; 2]]) -> Option<Self> {
+        let of = |&[first, last]: &[u64; 2]| Growth {
+            first,
+            logarithm: vec![0.0; (last + 1).saturating_sub(first) as usize],
         };
         let watched = loses_tension(settings.transfer, settings.scheme)
             && settings.weighting != Weighting::Linear;
         watched.then(|| Self {
-            bodies: sets.iter().map(of).collect(),
+            bodies: bodies.iter().map(of).collect(),
             tension: f64::INFINITY,
             risen: 0.0,
             time: 0.0,

@@ -1,6 +1,9 @@
 //! Meshes, bodies and measures that the tests share.
 
-use proctor_kernel::bodies::{FillError, FilledBody, HalfLength, fill};
+use proctor_kernel::bodies::{
+    FILLED, FillError, FilledBody, HalfLength, MemoryRoom, fill, fill_within,
+};
+use proctor_kernel::memory::Memory;
 use proctor_scene::{Body, Dimension, InitialStress, Mesh, PlaneCondition, Shape, Vector};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -81,7 +84,8 @@ impl Setting {
     /// Fills, and checks what holds for every shape.
     pub fn fill(&self, shape: Shape) -> FilledBody {
         let list = matches!(shape, Shape::Particles(_));
-        let filled = self.try_fill(shape).expect("the body fits the mesh");
+        let filled = self.try_fill(shape.clone());
+        let filled = filled.expect("the body fits the mesh");
         let n = filled.count();
         assert!(n > 0);
         assert!(filled.x.iter().all(|x| x.len() == n));
@@ -97,12 +101,39 @@ impl Setting {
                 points.is_sorted_by(|a, b| a < b),
                 "not in lexicographic order"
             );
+            self.require_parts(&shape, &filled);
         }
         if self.dimension == Dimension::Two {
             assert!(filled.x[2].iter().all(|&z| z == 0.0));
             assert_eq!(filled.half_length.of(0)[2], 0.5);
         }
         filled
+    }
+
+    /// Compares the particles of a body, filled in ranges one after the other, with those of the whole.
+    fn require_parts(&self, shape: &Shape, whole: &FilledBody) {
+        assert_eq!(whole.whole_count(), whole.count() as u64);
+        assert!(whole.slices.is_sorted_by(|a, b| a.x < b.x));
+        let at = |share: usize| whole.slices[share * whole.slices.len() / 3].x;
+        let [low, high] = [f64::NEG_INFINITY, f64::INFINITY];
+        let room = MemoryRoom {
+            memory: Memory::of_machine(),
+            per_particle: FILLED,
+        };
+        let (mut x, mut volume) = ([vec![], vec![], vec![]], vec![]);
+        for range in [[low, at(1)], [at(1), at(2)], [at(2), high]] {
+            let mesh = (&self.mesh(), self.dimension);
+            let part = fill_within(shape, self.ppc, mesh, range, &room).expect("it fits");
+            let inside = |x: &f64| range[0] <= *x && *x < range[1];
+            assert!(part.x[0].iter().all(inside));
+            assert_eq!(part.slices, whole.slices);
+            assert_eq!(part.half_length, whole.half_length);
+            for (all, own) in x.iter_mut().zip(&part.x) {
+                all.extend_from_slice(own);
+            }
+            volume.extend(part.volume);
+        }
+        assert_eq!((&x, &volume), (&whole.x, &whole.volume));
     }
 
     /// Fills a shape that takes the sub-cells of the mesh, and compares with a search of all of them.

@@ -7,6 +7,7 @@ use crate::common::{
     APIC, DIMENSIONS, FLIP, MLS, NEVER, SCHEMES, body, cuboid, elastic, empty, material, options,
     rough_drift,
 };
+use proctor_kernel::ranks::Ranks;
 use proctor_kernel::simulation::{
     Energy, MassCenter, ResultQuality, SavedState, SharingRefusal, StepError, StepErrorKind,
 };
@@ -87,8 +88,19 @@ fn drifting(scene: &Scene, drift: f64) -> InitialField {
 }
 
 fn start(scene: &Scene, threads: usize, initial: &InitialField) -> Simulation {
+    start_on(None, scene, threads, initial)
+}
+
+/// The same; where ranks are given, each fills its part.
+fn start_on(
+    ranks: Option<Arc<dyn Ranks>>,
+    scene: &Scene,
+    threads: usize,
+    initial: &InitialField,
+) -> Simulation {
     let options = Options {
         threads: Some(threads),
+        ranks,
         least_share: Some(1),
         initial: Some(Arc::clone(initial)),
         ..options()
@@ -153,9 +165,16 @@ fn shared(
     let ends: Vec<(Option<End>, (Measures, Option<StepError>))> = std::thread::scope(|scope| {
         let run = |rank| {
             move || {
-                let mut simulation = start(scene, threads, initial);
-                let shared = simulation.share_among(Arc::new(rank));
-                shared.expect("the scene can be shared");
+                let rank: Arc<dyn Ranks> = Arc::new(rank);
+                let mut simulation = if FILL_PARTS.contains(&(count, threads)) {
+                    start_on(Some(rank), scene, threads, initial)
+                } else {
+                    let mut simulation = start(scene, threads, initial);
+                    let shared = simulation.share_among(rank);
+                    shared.expect("the scene can be shared");
+                    simulation
+                };
+                assert!(count == 1 || simulation.sets()[0].len() < simulation.particles());
                 // The whole in the middle changes nothing.
                 let (sorts, error) = step(&mut simulation, steps / 2);
                 let _ = measures(&mut simulation, error.as_ref());
@@ -187,6 +206,9 @@ fn shared(
 
 /// Ranks and threads of each.
 const TEAMS: [(usize, usize); 6] = [(1, 2), (2, 1), (2, 2), (3, 1), (4, 1), (4, 2)];
+
+/// Those of which each rank fills its part; of the others each fills the whole and keeps its part.
+const FILL_PARTS: [(usize, usize); 3] = [(2, 2), (3, 1), (4, 2)];
 
 /// Compares one process with ranks; the end.
 fn compare(scene: &Scene, steps: usize, drift: f64) -> End {
@@ -456,7 +478,7 @@ fn what_is_not_local_is_refused() {
     };
     let part = |scene: &Scene| match refused(scene, 2) {
         SharingRefusal::Part { part } => part,
-        other @ SharingRefusal::TooMany { .. } => panic!("{other}"),
+        other => panic!("{other}"),
     };
     let mut scene = strip(Dimension::Two);
     scene.mesh.planes[0][1] = PlaneCondition::Absorbing;

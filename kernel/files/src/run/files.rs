@@ -36,8 +36,8 @@ struct GrowingFiles {
     schedule: Option<HistorySchedule>,
 }
 
-/// What the present state still lacks in the files.
-struct Missing {
+/// Outputs of the present state that the files do not have yet.
+struct OutputsDue {
     /// A state that is later than the last output.
     output: bool,
     row: bool,
@@ -107,21 +107,21 @@ impl Files {
     /// Writes frame, history row and checkpoint; what a resumed file already has is left as it is.
     pub(super) fn write(&mut self, simulation: &mut Simulation) -> Result<(), RunError> {
         self.write_due_row(simulation)?;
-        let missing = self.missing(simulation);
-        let row = missing.output.then(|| {
+        let due = self.due(simulation);
+        let row = due.output.then(|| {
             let energy = simulation.energy();
             worst(&mut self.cautions, simulation.cautions(&energy));
-            missing.row.then(|| self.rows.row(simulation, &energy))
+            due.row.then(|| self.rows.row(simulation, &energy))
         });
         simulation.note_extremes();
         let simulation = &*simulation;
-        if missing.particles {
+        if due.particles {
             self.write_frame(PARTICLES, frames::of_particles(simulation), simulation)?;
         }
-        if missing.grid {
+        if due.grid {
             self.write_frame(GRID, grid::frame(simulation), simulation)?;
         }
-        if missing.boundaries {
+        if due.boundaries {
             let frame = FramePart::whole(boundaries::frame(simulation));
             self.write_frame(BOUNDARIES, frame, simulation)?;
         }
@@ -130,19 +130,19 @@ impl Files {
             let written = growing.map_or(Ok(()), |growing| growing.append(simulation, &row));
             ranks::agree(simulation.ranks(), written)?;
         }
-        if missing.checkpoint {
+        if due.checkpoint {
             state::write(simulation, &self.path.join(CHECKPOINT))?;
         }
         Ok(())
     }
 
-    /// What the present state lacks in the files. The first rank tells the others.
-    fn missing(&self, simulation: &Simulation) -> Missing {
+    /// Outputs that the files lack. The first rank tells the others.
+    fn due(&self, simulation: &Simulation) -> OutputsDue {
         let here = self.growing.as_ref();
-        let here = here.map_or([false; 6], |growing| growing.missing(simulation));
+        let here = here.map_or([false; 6], |growing| growing.due(simulation));
         let [output, row, particles, grid, boundaries, checkpoint] =
             ranks::any(simulation.ranks(), here);
-        Missing {
+        OutputsDue {
             output,
             row,
             particles,
@@ -229,8 +229,8 @@ impl GrowingFiles {
         Ok(files)
     }
 
-    /// What the present state lacks: an output at all, a row, frames of particles, nodes and boundaries, a checkpoint.
-    fn missing(&self, simulation: &Simulation) -> [bool; 6] {
+    /// Outputs that the files lack: any at all, a row, frames of particles, nodes and boundaries, a checkpoint.
+    fn due(&self, simulation: &Simulation) -> [bool; 6] {
         let time = simulation.time();
         let is_later = |last: Option<f64>| last.is_none_or(|last| last < time);
         let is_missing =

@@ -23,7 +23,9 @@ mod loads;
 mod probes;
 mod ranks;
 mod restart;
+mod saved_events;
 mod schedule;
+mod shared_state;
 mod start_state;
 mod state;
 
@@ -92,7 +94,7 @@ impl Run {
         let ranks = options.ranks.clone().filter(|ranks| ranks.count() > 1);
         let started = Self::set_up(scene, options, restart);
         let (mut simulation, changes) = ranks::agree(ranks.as_deref(), started)?;
-        if let Some(ranks) = &ranks {
+        if let Some(ranks) = ranks.as_ref().filter(|_| simulation.ranks().is_none()) {
             simulation.share_among(Arc::clone(ranks))?;
         }
         let open = |path| Files::open(&simulation, path, restart.is_some(), options.in_pieces);

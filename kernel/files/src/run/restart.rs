@@ -2,6 +2,7 @@
 //! displacements and its balance of energy.
 
 use super::changeable::Changeable;
+use super::shared_state::SharedState;
 use super::{RunError, state};
 use crate::output::{Checkpoint, CheckpointError};
 use proctor_scene::simulation::{Options, Simulation};
@@ -24,7 +25,13 @@ pub(super) fn restarted(
     options: &Options,
     path: &Path,
 ) -> Result<(Simulation, Vec<String>), RunError> {
-    let checkpoint = Checkpoint::read(path)?;
+    let ranks = options.ranks.as_deref().filter(|ranks| ranks.count() > 1);
+    let file = ranks.map(|ranks| SharedState::open(path, ranks));
+    let file = file.transpose()?;
+    let mut checkpoint = match &file {
+        None => Checkpoint::read(path)?,
+        Some(file) => file.short_sections()?,
+    };
     checkpoint.check_fingerprint(state::fingerprint(scene))?;
     let (was, now) = (Changeable::read(&checkpoint)?, Changeable::of(scene));
     if let Some(problem) = refused_planes(scene, &was, &now) {
@@ -39,8 +46,21 @@ pub(super) fn restarted(
             .local_damping
             .map_or(Damping::None, |alpha| Damping::Local { alpha });
     }
-    let mut simulation = Simulation::new(&before, options)?;
     let new_loads = was.box_loads != now.box_loads;
+    // Loads find their particles by identifiers, wherever those are by now.
+    let ranks = options.ranks.clone().filter(|_| !new_loads);
+    let options = Options {
+        ranks,
+        ..options.clone()
+    };
+    let mut simulation = Simulation::new(&before, &options)?;
+    if let Some(file) = file {
+        if simulation.ranks().is_some() {
+            file.read_part(&mut simulation, &mut checkpoint)?;
+        } else {
+            checkpoint = Checkpoint::read(path)?;
+        }
+    }
     if new_loads && let Some(problem) = refused_loads(&simulation, &checkpoint)? {
         return Err(RunError::Refused(Box::new(problem)));
     }

@@ -1,15 +1,15 @@
 //! The whole state of a simulation in a checkpoint, bit by bit.
 
 use super::changeable::{self, Changeable};
+use super::saved_events::{read_events, save_events};
 use super::{RunError, loads, ranks};
 use crate::output::checkpoint::{SectionPart, SharedCheckpoint};
 use crate::output::{Checkpoint, CheckpointError};
 use proctor_kernel::particles::ParticleSet;
 use proctor_kernel::stage::g2p::ParticleMaxima;
 use proctor_scene::simulation::{
-    AbsorbingNode, Clock, EnergyLedger, Event, EventKind, Extremes, FreeGroundNode, Groups,
-    Invariant, InvariantMonitor, ParticleAt, RestoreError, SavedState, Simulation, State,
-    Violation,
+    AbsorbingNode, Clock, EnergyLedger, Extremes, FreeGroundNode, Groups, Invariant,
+    InvariantMonitor, RestoreError, SavedState, Simulation, State, Violation,
 };
 use proctor_scene::{Results, Scene, StateFile};
 use std::path::{Path, PathBuf};
@@ -89,14 +89,14 @@ pub(super) fn save(simulation: &Simulation) -> SharedCheckpoint {
             all: of_sets[i].all as u64,
         };
         parts.push(part(&checkpoint));
-        checkpoint.push::<u64>(format!("set{i}/id"), set.id);
+        checkpoint.push::<u64>(id_section(i), set.id);
         checkpoint.push::<u64>(
             format!("set{i}/layers"),
             set.layers.into_iter().map(|l| l as u64).collect(),
         );
         for (c, column) in set.columns.into_iter().enumerate() {
             parts.push(part(&checkpoint));
-            checkpoint.push::<f64>(format!("set{i}/column{c}"), column);
+            checkpoint.push::<f64>(column_section(i, c), column);
         }
     }
     for (i, lists) in saved.interactions.into_iter().enumerate() {
@@ -118,6 +118,16 @@ pub(super) fn save(simulation: &Simulation) -> SharedCheckpoint {
     ];
     checkpoint.push::<f64>("extremes/numbers", extremes);
     SharedCheckpoint { checkpoint, parts }
+}
+
+/// Name of the section with the identifiers of a set.
+pub(super) fn id_section(set: usize) -> String {
+    format!("set{set}/id")
+}
+
+/// Name of the section with a column of a set.
+pub(super) fn column_section(set: usize, column: usize) -> String {
+    format!("set{set}/column{column}")
 }
 
 /// Text that was written as its bytes.
@@ -233,7 +243,7 @@ fn read(
         ..like.state
     };
     for (i, (set, found)) in state.sets.iter_mut().zip(&mut state.found).enumerate() {
-        let id = checkpoint.values::<u64>(&format!("set{i}/id"))?;
+        let id = checkpoint.values::<u64>(&id_section(i))?;
         let layers = checkpoint.array::<u64>(&format!("set{i}/layers"), set.layers.len())?;
         let was = checkpoint.array::<f64>(&format!("set{i}/found"), 5)?;
         if new_loads {
@@ -242,7 +252,7 @@ fn read(
             state.ledger.dead_load_origin += change;
         } else {
             for (c, column) in set.columns.iter_mut().enumerate() {
-                let name = format!("set{i}/column{c}");
+                let name = column_section(i, c);
                 *column = checkpoint.array::<f64>(&name, id.len())?.to_vec();
             }
         }
@@ -403,91 +413,4 @@ fn read_free_ground(
         node.set_motion(*numbers);
     }
     Ok(())
-}
-
-fn save_events(events: &[Event], checkpoint: &mut Checkpoint) {
-    let (mut whole, mut real) = (vec![], vec![]);
-    for event in events {
-        let (kind, at) = match &event.kind {
-            EventKind::Removed(at) => (0, Some(*at)),
-            EventKind::RecordEnded => (1, None),
-            EventKind::WiderStencil => (2, None),
-            EventKind::VolumeRatio { particle, .. } => (3, Some(*particle)),
-            EventKind::Overlap {
-                bodies, position, ..
-            } => (
-                4,
-                Some(ParticleAt {
-                    id: bodies[0] as u64,
-                    body: bodies[1],
-                    position: *position,
-                    volume: 0.0,
-                    mass: 0.0,
-                }),
-            ),
-        };
-        let ratio = match &event.kind {
-            EventKind::VolumeRatio { ratio, .. } => *ratio,
-            EventKind::Overlap { depth, .. } => *depth,
-            _ => 0.0,
-        };
-        let at = at.unwrap_or(ParticleAt {
-            id: 0,
-            body: 0,
-            position: [0.0; 3],
-            volume: 0.0,
-            mass: 0.0,
-        });
-        whole.extend([kind, event.step as i64, at.id as i64, at.body]);
-        real.extend([
-            event.time,
-            at.position[0],
-            at.position[1],
-            at.position[2],
-            at.volume,
-            at.mass,
-            ratio,
-        ]);
-    }
-    checkpoint.push::<i64>("events/whole", whole);
-    checkpoint.push::<f64>("events/real", real);
-}
-
-fn read_events(checkpoint: &Checkpoint) -> Result<Vec<Event>, CheckpointError> {
-    let whole = checkpoint.values::<i64>("events/whole")?;
-    let real = checkpoint.array::<f64>("events/real", whole.len() / 4 * 7)?;
-    Ok(whole
-        .chunks_exact(4)
-        .zip(real.chunks_exact(7))
-        .map(|(w, r)| Event {
-            step: w[1] as u64,
-            time: r[0],
-            kind: event_kind(w, r),
-        })
-        .collect())
-}
-
-/// The kind of an event from its whole and its real numbers.
-fn event_kind(whole: &[i64], real: &[f64]) -> EventKind {
-    let particle = ParticleAt {
-        id: whole[2] as u64,
-        body: whole[3],
-        position: [real[1], real[2], real[3]],
-        volume: real[4],
-        mass: real[5],
-    };
-    match whole[0] {
-        0 => EventKind::Removed(particle),
-        1 => EventKind::RecordEnded,
-        2 => EventKind::WiderStencil,
-        4 => EventKind::Overlap {
-            bodies: [whole[2], whole[3]],
-            position: particle.position,
-            depth: real[6],
-        },
-        _ => EventKind::VolumeRatio {
-            particle,
-            ratio: real[6],
-        },
-    }
 }

@@ -4,7 +4,7 @@ use proctor_files::json::read;
 use proctor_files::run::{Run, RunControl};
 use proctor_kernel::ranks::{Ranks, of_threads};
 use proctor_scene::simulation::Options;
-use proctor_scene::{Field, NodalField, Probe, ProbeTarget, ProbedQuantity, Scene};
+use proctor_scene::{BoxLoad, Field, NodalField, Probe, ProbeTarget, ProbedQuantity, Scene};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -156,6 +156,66 @@ fn any_number_of_ranks_goes_on() {
             alone.path(),
             &format!("{before}, then {after}"),
         );
+    }
+}
+
+/// Gravity and box loads change at a restart, on ranks as on one process.
+#[test]
+fn ranks_change_loads_at_a_restart() {
+    let scene = scene();
+    let mut heavier = scene.clone();
+    heavier.gravity = [0.5, -12.0, 0.0];
+    let mut loaded = heavier.clone();
+    loaded.box_loads = vec![BoxLoad {
+        p1: [-10.0; 3],
+        p2: [10.0; 3],
+        force: [3.0, 0.0, 0.0],
+    }];
+    for changed in [heavier, loaded] {
+        let expected = tempfile::tempdir().unwrap();
+        let checkpoint = expected.path().join("checkpoint.bin");
+        let options = Options::default();
+        run(&scene, &options, expected.path(), None, 1);
+        let hash = run(&changed, &options, expected.path(), Some(&checkpoint), 9);
+        let found = tempfile::tempdir().unwrap();
+        let checkpoint = found.path().join("checkpoint.bin");
+        run_on(2, false, &scene, found.path(), (None, 1));
+        let how = (Some(checkpoint.as_path()), 9);
+        assert_eq!(run_on(3, false, &changed, found.path(), how), hash);
+        assert_same(found.path(), expected.path(), "changed loads");
+    }
+}
+
+/// A changed byte is found by whichever rank reads it, and all of them refuse the checkpoint.
+#[test]
+fn all_ranks_refuse_a_broken_checkpoint() {
+    let scene = scene();
+    let folder = tempfile::tempdir().unwrap();
+    let checkpoint = folder.path().join("checkpoint.bin");
+    one_process(&scene, folder.path());
+    let sound = fs::read(&checkpoint).unwrap();
+    for place in [40, sound.len() / 2, sound.len() - 30] {
+        let mut broken = sound.clone();
+        broken[place] ^= 1;
+        fs::write(&checkpoint, broken).unwrap();
+        std::thread::scope(|scope| {
+            let one = |rank| {
+                let options = Options {
+                    ranks: Some(Arc::new(rank) as Arc<dyn Ranks>),
+                    ..Options::default()
+                };
+                let (scene, checkpoint) = (&scene, &checkpoint);
+                move || Run::start(scene, &options, None, Some(checkpoint)).err()
+            };
+            let ranks: Vec<_> = of_threads(3)
+                .into_iter()
+                .map(|rank| scope.spawn(one(rank)))
+                .collect();
+            for rank in ranks {
+                let error = rank.join().expect("no panic").expect("it is broken");
+                assert!(error.is_bad_input(), "{error}");
+            }
+        });
     }
 }
 

@@ -38,10 +38,10 @@ pub(super) fn fill_stratum(
     };
     let mut filled = fill(lattice, &stratum.bounds(), stratum.volume(), above)?;
     let all = |at: PlanPoint, intervals: &mut Vec<[f64; 2]>| whole.intervals(at, intervals);
-    let count = fill(lattice, &whole.bounds(), whole.volume(), all)?.count();
+    let count = fill(lattice, &whole.bounds(), whole.volume(), all)?.whole_count();
     let each = whole.volume() / count as f64;
     filled.volume.fill(each);
-    filled.exact_volume = each * filled.count() as f64;
+    filled.exact_volume = each * filled.whole_count() as f64;
     Ok(filled)
 }
 

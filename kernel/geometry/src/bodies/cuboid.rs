@@ -1,8 +1,8 @@
 //! Axis-aligned boxes and rectangles: a lattice of their own, which fits them exactly.
 
-use super::FilledBody;
 use super::error::FillError;
 use super::lattice::Lattice;
+use super::{FilledBody, FilledSlice};
 use crate::shape::Vector;
 use std::iter::repeat_n;
 
@@ -112,23 +112,35 @@ pub(super) fn fill(lattice: &Lattice, p1: Vector, p2: Vector) -> Result<FilledBo
         .map(|division| division.upper - division.lower)
         .product();
     FillError::require_positive("volume of the body", None, volume)?;
-    let count = divisions.iter().map(|division| division.count).product();
+    let count: f64 = divisions.iter().map(|division| division.count).product();
     let mut spacing = [1.0; 3];
     for axis in 0..axes {
         spacing[axis] = divisions[axis].spacing;
     }
-    let mut particles = lattice.allocate(count, volume, spacing)?;
-
     let positions = |axis: usize| -> Vec<f64> {
         let division = &divisions[axis];
         (0..division.count as i64)
             .map(|i| division.position(lattice, axis, i))
             .collect()
     };
+    // More than memory holds is refused before any is listed.
+    let (slices, across) = (divisions[0].count, count / divisions[0].count);
+    lattice.require_countable(slices, across)?;
     let first = positions(0);
+    let slices: Vec<FilledSlice> = first
+        .iter()
+        .map(|x| FilledSlice {
+            x: *x,
+            count: across as u64,
+        })
+        .collect();
+    let kept = first.iter().filter(|x| lattice.wants(**x));
+    let kept = kept.count() as f64 * across;
+    let mut particles = lattice.allocate(kept, (volume, count), spacing)?;
+    particles.slices = slices;
     let middle = if axes == 3 { positions(1) } else { vec![0.0] };
     let last = positions(lattice.last());
-    for x in &first {
+    for x in first.iter().filter(|x| lattice.wants(**x)) {
         particles.x[0].extend(repeat_n(x, middle.len() * last.len()));
         for y in &middle {
             if axes == 3 {

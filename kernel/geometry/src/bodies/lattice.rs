@@ -1,7 +1,7 @@
 //! The lattice of sub-cells of the mesh, and the particles that a shape takes from it.
 
 use super::error::{FillError, mesh_range};
-use super::{FilledBody, HalfLength, MemoryRoom};
+use super::{EVERYWHERE, FilledBody, FilledSlice, HalfLength, MemoryRoom};
 use crate::mesh::Mesh;
 use crate::shape::{Dimension, Vector};
 use std::iter::repeat_n;
@@ -24,6 +24,8 @@ pub(super) struct Lattice {
     /// Number of sub-cells per axis.
     sub_cells: [i64; 3],
     room: MemoryRoom,
+    /// First coordinates of the particles that are filled, the end excluded \[m\].
+    wanted: [f64; 2],
     /// True where the first axis is a radius that begins at zero.
     pub begins_on_axis: bool,
 }
@@ -77,8 +79,20 @@ impl Lattice {
                 }
             }),
             room,
+            wanted: EVERYWHERE,
             begins_on_axis: mesh.axisymmetric && mesh.origin[0] == 0.0,
         })
+    }
+
+    /// The same lattice for the particles whose first coordinate lies in a range, its end excluded \[m\].
+    pub fn within(mut self, range: [f64; 2]) -> Self {
+        self.wanted = range;
+        self
+    }
+
+    /// True for a first coordinate whose particles are filled.
+    pub fn wants(&self, x: f64) -> bool {
+        self.wanted[0] <= x && x < self.wanted[1]
     }
 
     /// Checks that there is room for so many particles, and for `more` bytes beside them.
@@ -220,19 +234,38 @@ impl Lattice {
         }
         let length = |range: &Range<i64>| (range.end - range.start) as f64;
         let rows_visited = length(&reach[0]) * length(&middle);
-        self.require_room(estimate, rows_visited * size_of::<Row>() as f64)?;
+        let expected = if self.wanted == EVERYWHERE {
+            estimate
+        } else {
+            // Known once the slices are counted.
+            0.0
+        };
+        self.require_room(expected, rows_visited * size_of::<Row>() as f64)?;
         let mut taken = Vec::new();
         let mut runs = Vec::new();
-        let mut count = 0;
+        let mut slices = Vec::new();
+        let (mut count, mut kept) = (0, 0);
         for i in reach[0].clone() {
+            let (x, before) = (self.centre(0, i), count);
+            let wanted = self.wants(x);
             for j in middle.clone() {
                 rows([i, j], &mut runs);
                 for run in runs.drain(..).filter(|run| !run.is_empty()) {
                     let row = Row { outer: [i, j], run };
                     self.require_inside(&row, count)?;
                     count += (row.run.end - row.run.start) as usize;
-                    taken.push(row);
+                    if wanted {
+                        taken.push(row);
+                    }
                 }
+            }
+            if count > before {
+                let own = count - before;
+                slices.push(FilledSlice {
+                    x,
+                    count: own as u64,
+                });
+                kept += if wanted { own } else { 0 };
             }
         }
         if count == 0 {
@@ -243,10 +276,11 @@ impl Lattice {
             });
         }
         let mut particles = self.allocate(
-            count as f64,
-            volume,
+            kept as f64,
+            (volume, count as f64),
             [0, 1, 2].map(|axis| self.spacing(axis)),
         )?;
+        particles.slices = slices;
         for row in &taken {
             let run = row.run.clone();
             let length = (run.end - run.start) as usize;
@@ -288,8 +322,25 @@ impl Lattice {
         }
     }
 
-    /// `count` particles of equal volume and of domains with the edges `spacing`, with room for the
-    /// coordinates of the axes that count and with the others in place.
+    /// Checks that a body of so many slices with so many particles each can be counted, and that there is room for all of it where
+    /// all is filled.
+    ///
+    /// # Errors
+    /// [`FillError::TooMany`], [`FillError::Memory`].
+    pub fn require_countable(&self, slices: f64, in_slice: f64) -> Result<(), FillError> {
+        let particles = slices * in_slice;
+        // Above 2^53 a float is no exact count, and no memory holds it.
+        if particles > 9e15 {
+            return Err(FillError::TooMany { particles });
+        }
+        if self.wanted == EVERYWHERE {
+            return self.require_room(particles, 0.0);
+        }
+        self.require_room(0.0, slices * size_of::<FilledSlice>() as f64)
+    }
+
+    /// `count` particles of a body of which the whole has a volume and a number of particles, of equal volumes and of domains with
+    /// the edges `spacing`, with room for the coordinates of the axes that count and with the others in place.
     ///
     /// # Errors
     ///
@@ -297,7 +348,7 @@ impl Lattice {
     pub fn allocate(
         &self,
         count: f64,
-        volume: f64,
+        (volume, whole): (f64, f64),
         spacing: Vector,
     ) -> Result<FilledBody, FillError> {
         let too_many = || FillError::TooMany { particles: count };
@@ -317,7 +368,7 @@ impl Lattice {
             values.resize(n, 0.0);
         }
         let mut volumes: Vec<f64> = room()?;
-        volumes.resize(n, volume / count);
+        volumes.resize(n, volume / whole);
         let half = |axis| {
             if axis < self.axes {
                 0.5 * spacing[axis]
@@ -330,6 +381,7 @@ impl Lattice {
             volume: volumes,
             half_length: HalfLength::Uniform([half(0), half(1), half(2)]),
             exact_volume: volume,
+            slices: vec![],
         })
     }
 }

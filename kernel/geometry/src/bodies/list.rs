@@ -60,6 +60,7 @@ pub(super) fn fill(
         volume,
         half_length: HalfLength::PerParticle(l_p),
         exact_volume,
+        slices: vec![],
     })
 }
 

@@ -46,13 +46,37 @@ pub struct FilledBody {
     pub half_length: HalfLength,
     /// Volume of the shape \[m³\], which the particle volumes sum to; for a particle list their sum.
     pub exact_volume: f64,
+    /// Slices of the whole body across the first axis, in ascending order; none of a particle list. A body that was filled in
+    /// a range alone has the particles of the slices in that range.
+    pub slices: Vec<FilledSlice>,
 }
+
+/// Particles of a body with the same first coordinate.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FilledSlice {
+    /// That coordinate, relative to [`Mesh::origin`] \[m\].
+    pub x: f64,
+    /// Number of particles.
+    pub count: u64,
+}
+
+/// All first coordinates.
+pub const EVERYWHERE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
 impl FilledBody {
     /// Number of particles.
     #[must_use]
     pub fn count(&self) -> usize {
         self.volume.len()
+    }
+
+    /// Number of particles of the whole body, in whatever range it was filled.
+    #[must_use]
+    pub fn whole_count(&self) -> u64 {
+        if self.slices.is_empty() {
+            return self.count() as u64;
+        }
+        self.slices.iter().map(|slice| slice.count).sum()
     }
 }
 
@@ -137,22 +161,32 @@ pub fn fill(
         memory: Memory::of_machine(),
         per_particle: FILLED,
     };
-    fill_within(shape, particles_per_cell, mesh, dimension, &room)
+    fill_within(
+        shape,
+        particles_per_cell,
+        (mesh, dimension),
+        EVERYWHERE,
+        &room,
+    )
 }
 
-/// [`fill`], unless the particles and what is made of them need more than there is room for.
+/// [`fill`] of the slices whose first coordinate, relative to the origin of the mesh, lies in `range` \[m\], its end excluded;
+/// unless the particles and what is made of them need more than there is room for. A particle list comes as a whole.
 ///
 /// # Errors
-/// As [`fill`].
+/// As [`fill`]. A body without a particle in the range has none, and is no error.
 pub fn fill_within(
     shape: &Shape,
     particles_per_cell: [usize; 3],
-    mesh: &Mesh,
-    dimension: Dimension,
+    (mesh, dimension): (&Mesh, Dimension),
+    range: [f64; 2],
     room: &MemoryRoom,
 ) -> Result<FilledBody, FillError> {
     // A particle list needs no lattice.
-    let lattice = || Lattice::new(mesh, particles_per_cell, dimension, *room);
+    let lattice = || {
+        let lattice = Lattice::new(mesh, particles_per_cell, dimension, *room);
+        lattice.map(|lattice| lattice.within(range))
+    };
     let refuse = |shape| Err(FillError::Dimension { shape, dimension });
     match (shape, dimension) {
         (Shape::Cuboid { p1, p2 }, _) => cuboid::fill(&lattice()?, *p1, *p2),

@@ -22,16 +22,16 @@ const PAGE: f64 = 4096.0;
 const REACH: f64 = 5.0;
 /// Bytes of the lists of frames and history for each output: names and times of three series.
 const OUTPUT: f64 = 512.0;
-/// Takes the memory of the grid, and asks for that of one velocity field for a body with its own.
+/// Takes the memory of the grid, of which this process holds a share, and asks for that of one velocity field for a body with its own.
 ///
 /// # Errors
 /// [`SetupError::Memory`].
 pub(super) fn grid(
     scene: &Scene,
-    shape: &GridShape,
+    (shape, share): (&GridShape, f64),
     memory: &mut Memory,
 ) -> Result<(), SetupError> {
-    let (nodes, reached) = (nodes(shape), reached(scene, shape));
+    let (nodes, reached) = (nodes(shape), share * reached(scene, shape));
     let rows = shape.nodes[0] as f64 * shape.nodes[1] as f64;
     let fields = 1.0 + bodies_with_fields(scene).len() as f64;
     // Which fields move together, and forces of pairs in each plane.
@@ -227,6 +227,14 @@ pub(super) fn particles(
             count as f64 * room.per_particle,
         )
         .map_err(FillError::Memory)
+}
+
+/// The error of a body that cannot be filled.
+pub(super) fn of_body(body: &Body) -> impl Fn(FillError) -> SetupError {
+    |error| SetupError::Body {
+        body: body.name.clone(),
+        reason: error.to_string(),
+    }
 }
 
 /// About how many particles each body gets, and the bytes that they need.

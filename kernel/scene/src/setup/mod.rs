@@ -6,6 +6,7 @@ mod memory_budget;
 mod memory_estimate;
 mod options;
 mod pressure;
+mod rank_part;
 mod start_state;
 mod traction_cover;
 
@@ -16,7 +17,7 @@ pub use start_state::{StartBody, StartState, missing_column};
 use crate::plan::{PlanOptions, plan};
 use crate::values::Scene;
 use domain::start_domain;
-use proctor_geometry::bodies::{FillError, FilledBody, HalfLength, MemoryRoom, fill_within};
+use proctor_geometry::bodies::{EVERYWHERE, FilledBody, HalfLength, MemoryRoom, fill_within};
 use proctor_geometry::memory::Memory;
 use proctor_geometry::team::Team;
 use proctor_kernel::grid::GridShape;
@@ -30,6 +31,7 @@ use proctor_kernel::simulation::conditions;
 use proctor_kernel::simulation::{BaseVelocity, BodyRun, Cycle, Model, SetupError, Start};
 use proctor_kernel::stage::Mapping;
 use proctor_kernel::stage::g2p::ParticleMaxima;
+use rank_part::RankPart;
 use std::sync::Arc;
 
 /// Fewest particles that are worth a thread where none are asked for: with fewer its share of a step takes no longer than
@@ -57,33 +59,23 @@ pub(crate) fn set_up(scene: &Scene, options: &Options) -> Result<Cycle, SetupErr
             what: format!("the mesh has {bases} cells; accepted: at most {}", u32::MAX),
         });
     }
-    memory_budget::grid(scene, &shape, &mut memory)?;
+    let part = RankPart::of(scene, options)?;
+    let part = part.as_ref();
+    let share = part.map_or(1.0, |part| part.share_of_nodes(shape.nodes[0]));
+    memory_budget::grid(scene, (&shape, share), &mut memory)?;
     memory_budget::frames(scene, &mut memory)?;
     memory_budget::loads(scene, &shape, &mut memory)?;
-    memory_budget::bodies(scene, &plan, memory)?;
-    let conditions = conditions(&settings, &shape, &options.conditions)?;
-    let (mut sets, mut bodies, mut all_found) = (vec![], vec![], vec![]);
-    let mut next_id = 0;
-    for i in 0..scene.bodies.len() {
-        let (mut set, run, mut found) = fill_body(scene, &plan, &shape, i, next_id, &mut memory)?;
-        next_id += set.len() as u64;
-        if next_id > u64::from(u32::MAX) {
-            return Err(SetupError::TooLarge {
-                what: format!("more than {} particles", u32::MAX),
-            });
-        }
-        initial_stress::set(&mut set, scene, i, &run, &mut found)?;
-        pressure::set(&mut set, scene, i);
-        if options.start.is_none() {
-            initial_stress::refuse_none(scene, i)?;
-        }
-        if let Some(initial) = &options.initial {
-            start_from(&mut set, scene, &run, &mut found, initial.as_ref());
-        }
-        sets.push(set);
-        bodies.push(run);
-        all_found.push(found);
+    if part.is_none() {
+        memory_budget::bodies(scene, &plan, memory)?;
     }
+    let conditions = conditions(&settings, &shape, &options.conditions)?;
+    let range = part.map_or(EVERYWHERE, |part| part.range);
+    let filled = fill_bodies(scene, (&plan, &shape), options, range, &mut memory);
+    let FilledBodies {
+        mut sets,
+        bodies,
+        found: mut all_found,
+    } = RankPart::agree(part, filled)?;
     if options.body_force.is_some() && !scene.box_loads.is_empty() {
         return Err(SetupError::Load {
             path: "box_load[0]".into(),
@@ -93,7 +85,7 @@ pub(crate) fn set_up(scene: &Scene, options: &Options) -> Result<Cycle, SetupErr
         });
     }
     for (i, load) in scene.box_loads.iter().enumerate() {
-        spread(load, scene, &mut sets).map_err(|reason| SetupError::Load {
+        spread(load, scene, &mut sets, part).map_err(|reason| SetupError::Load {
             path: format!("box_load[{i}]"),
             reason,
         })?;
@@ -101,10 +93,13 @@ pub(crate) fn set_up(scene: &Scene, options: &Options) -> Result<Cycle, SetupErr
     if let Some(start) = &options.start {
         start_state::take_all(&mut sets, &mut all_found, scene, start)?;
     }
-    memory_budget::layers(scene, &shape, &sets, &mut memory)?;
-    let team = team(scene, options, next_id as usize)?;
-    let mut interactions =
-        proctor_contact::interactions(&scene.contact_values(), &settings, &bodies, &mut memory)?;
+    let particles = sets.iter().map(ParticleSet::len).sum();
+    let team = memory_budget::layers(scene, &shape, &sets, &mut memory)
+        .and_then(|()| team(scene, options, particles));
+    let team = RankPart::agree(part, team)?;
+    let interactions =
+        proctor_contact::interactions(&scene.contact_values(), &settings, &bodies, &mut memory);
+    let mut interactions = RankPart::agree(part, interactions)?;
     interactions.extend(options.interactions.iter().cloned());
     let model = Model {
         settings,
@@ -126,6 +121,7 @@ pub(crate) fn set_up(scene: &Scene, options: &Options) -> Result<Cycle, SetupErr
         team,
         least_share: options.least_share,
         is_undeformed: options.initial.is_none() && options.start.is_none(),
+        ranks: part.map(|part| Arc::clone(&part.ranks)),
     };
     let mut cycle = Cycle::new(model, start)?;
     traction_cover::require_carried(&cycle.view())?;
@@ -134,6 +130,60 @@ pub(crate) fn set_up(scene: &Scene, options: &Options) -> Result<Cycle, SetupErr
         shared.map_err(SetupError::Ranks)?;
     }
     Ok(cycle)
+}
+
+/// The bodies of a scene, filled.
+struct FilledBodies {
+    sets: Vec<ParticleSet>,
+    bodies: Vec<BodyRun>,
+    found: Vec<ParticleMaxima>,
+}
+
+/// Fills all bodies in a range of the first coordinate, and gives them the state of the start.
+fn fill_bodies(
+    scene: &Scene,
+    (plan, shape): (&Plan, &GridShape),
+    options: &Options,
+    range: [f64; 2],
+    memory: &mut Memory,
+) -> Result<FilledBodies, SetupError> {
+    let (mut sets, mut bodies, mut all_found) = (vec![], vec![], vec![]);
+    let mut first_id = 0;
+    for i in 0..scene.bodies.len() {
+        let filled = fill_body(scene, plan, i, range, memory)?;
+        let (before, all) = (before(&filled, range), filled.whole_count());
+        let start = first_id + before;
+        let (mut set, run, mut found) = particles_of_body(scene, (plan, shape), i, start, filled)?;
+        first_id += all;
+        if set.len() > u32::MAX as usize || (range == EVERYWHERE && first_id > u32::MAX.into()) {
+            return Err(SetupError::TooLarge {
+                what: format!("more than {} particles", u32::MAX),
+            });
+        }
+        initial_stress::set(&mut set, scene, i, &run, &mut found)?;
+        pressure::set(&mut set, scene, i);
+        if options.start.is_none() {
+            initial_stress::refuse_none(scene, i)?;
+        }
+        if let Some(initial) = &options.initial {
+            start_from(&mut set, scene, &run, &mut found, initial.as_ref());
+        }
+        sets.push(set);
+        bodies.push(run);
+        all_found.push(found);
+    }
+    Ok(FilledBodies {
+        sets,
+        bodies,
+        found: all_found,
+    })
+}
+
+/// Particles of the whole body before those in a range.
+fn before(filled: &FilledBody, range: [f64; 2]) -> u64 {
+    let slices = filled.slices.iter();
+    let before = slices.take_while(|slice| slice.x < range[0]);
+    before.map(|slice| slice.count).sum()
 }
 
 /// The threads that were asked for, else as many of the machine as there is work for.
@@ -163,34 +213,36 @@ fn team(scene: &Scene, options: &Options, particles: usize) -> Result<Arc<Team>,
     Ok(Arc::new(team))
 }
 
-/// Particles of one body and what the cycle knows of it.
+/// The shape of a body filled in a range of the first coordinate; takes the memory of its particles.
 fn fill_body(
     scene: &Scene,
     plan: &Plan,
-    shape: &GridShape,
     index: usize,
-    first_id: u64,
+    range: [f64; 2],
     memory: &mut Memory,
-) -> Result<(ParticleSet, BodyRun, ParticleMaxima), SetupError> {
+) -> Result<FilledBody, SetupError> {
     let body = &scene.bodies[index];
     let room = MemoryRoom {
         memory: *memory,
         per_particle: memory_budget::per_particle(scene, &plan.layouts[index]),
     };
-    let refused = |e: FillError| SetupError::Body {
-        body: body.name.clone(),
-        reason: e.to_string(),
-    };
-    let filled = fill_within(
-        &body.shape,
-        body.particles_per_cell,
-        &scene.mesh,
-        scene.dimension,
-        &room,
-    )
-    .map_err(refused)?;
+    let refused = memory_budget::of_body(body);
+    let mesh = (&scene.mesh, scene.dimension);
+    let filled = fill_within(&body.shape, body.particles_per_cell, mesh, range, &room);
+    let filled = filled.map_err(&refused)?;
     memory_budget::particles(filled.count(), &room, memory).map_err(refused)?;
-    let filled = revolved(filled, scene, &body.shape);
+    Ok(revolved(filled, scene, &body.shape))
+}
+
+/// Particles of one body, with identifiers from a first one on, and what the cycle knows of it.
+fn particles_of_body(
+    scene: &Scene,
+    (plan, shape): (&Plan, &GridShape),
+    index: usize,
+    first_id: u64,
+    filled: FilledBody,
+) -> Result<(ParticleSet, BodyRun, ParticleMaxima), SetupError> {
+    let body = &scene.bodies[index];
     let material = &scene.materials[body.material];
     let law = scene.law_of(body);
     let law = law.in_cells(scene.size_of_cell()).unwrap_or(law);
@@ -438,7 +490,12 @@ fn start_from(
 }
 
 /// Spreads a box load by volume over the particles in the box.
-fn spread(load: &BoxLoad, scene: &Scene, sets: &mut [ParticleSet]) -> Result<(), String> {
+fn spread(
+    load: &BoxLoad,
+    scene: &Scene,
+    sets: &mut [ParticleSet],
+    part: Option<&RankPart>,
+) -> Result<(), String> {
     let inside = |set: &ParticleSet, p: usize| {
         let x = set.position(p);
         (0..set.layout.axes).all(|axis| {
@@ -446,14 +503,17 @@ fn spread(load: &BoxLoad, scene: &Scene, sets: &mut [ParticleSet]) -> Result<(),
             load.p1[axis] <= x && x <= load.p2[axis]
         })
     };
-    let volume: f64 = sets
-        .iter()
-        .flat_map(|set| {
-            (0..set.len())
-                .filter(|&p| inside(set, p))
-                .map(|p| set.columns[Layout::VOLUME][p])
-        })
-        .sum();
+    let mut volume = 0.0;
+    for set in &*sets {
+        let add = |volume: f64| {
+            let inside = (0..set.len()).filter(|&p| inside(set, p));
+            inside.fold(volume, |sum, p| sum + set.columns[Layout::VOLUME][p])
+        };
+        volume = match part {
+            None => add(volume),
+            Some(part) => part.in_turn(volume, add),
+        };
+    }
     if volume <= 0.0 {
         return Err(format!(
             "no particle lies in the box {:?} to {:?} m",

@@ -87,8 +87,9 @@ pub struct Options {
     pub conditions: Vec<Arc<dyn Condition>>,
     /// Interactions of velocity fields beside those of the scene. They act after those.
     pub interactions: Vec<Box<dyn Interaction>>,
-    /// Ranks that share the simulation once it runs ([`share_among`](proctor_kernel::simulation::Cycle::share_among)): a set-up
-    /// does not look at them, a run does.
+    /// Ranks that share the simulation: each fills its part of the bodies, and none has the whole. Where particles are given one by
+    /// one, or begin as another run left them, each rank fills the whole, and whoever runs it shares it then
+    /// ([`share_among`](proctor_kernel::simulation::Cycle::share_among)), as `proctor_files::run::Run` does.
     pub ranks: Option<Arc<dyn Ranks>>,
     /// Ranks that share each step, while every one of them has the whole simulation between two steps
     /// ([`share_steps_among`](proctor_kernel::simulation::Cycle::share_steps_among)).

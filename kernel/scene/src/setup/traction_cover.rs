@@ -98,7 +98,19 @@ fn gap_of(view: &StepView<'_>, traction: &Traction) -> Option<Gap> {
             }
         }
     }
+    join(view, covered.pieces.iter_mut());
     covered.gap(traction)
+}
+
+/// Makes true what holds on any rank.
+fn join<'a>(view: &StepView<'_>, here: impl Iterator<Item = &'a mut bool>) {
+    let Some(ranks) = view.ranks else { return };
+    let here: Vec<&mut bool> = here.collect();
+    let mut all: Vec<f64> = here.iter().map(|here| f64::from(**here)).collect();
+    ranks.join_most(&mut all);
+    for (here, all) in here.into_iter().zip(all) {
+        *here = all > 0.0;
+    }
 }
 
 /// A node that a traction acts on and no particle reaches \[m\].
@@ -130,6 +142,7 @@ fn node_out_of_reach(
             }
         }
     }
+    join(view, nodes.iter_mut().map(|(_, reached)| reached));
     let empty = nodes.iter().find(|(_, reached)| !reached);
     Ok(empty.map(|(node, _)| {
         let local = shape.position(*node);

@@ -4,7 +4,7 @@ use super::migrate;
 use crate::particles::ParticleSet;
 use crate::ranks::Words;
 use crate::simulation::Cycle;
-use crate::simulation::measure::{StateHash, by_identifier};
+use crate::simulation::state_hash::{StateHash, by_identifier};
 
 /// Identifiers of a piece.
 const PIECE: u64 = 1 << 16;

@@ -144,24 +144,12 @@ impl Cycle {
         let viscosity = self.own_diffusivity();
         let mut numbers = vec![viscosity];
         for (_, found) in &*bodies {
-            numbers.extend([
-                found.speed_squared,
-                found.wave_speed_squared,
-                found.increment_squared,
-                found.travel,
-                found.half_length,
-            ]);
+            numbers.extend(found.numbers());
         }
         self.join_most(&mut numbers);
         for ((body, found), numbers) in bodies.iter_mut().zip(numbers[1..].as_chunks().0) {
             let own = self.own_particles(&self.state.sets[*body]);
-            [
-                found.speed_squared,
-                found.wave_speed_squared,
-                found.increment_squared,
-                found.travel,
-                found.half_length,
-            ] = *numbers;
+            found.set_numbers(*numbers);
             found.fault = found.fault.filter(|(p, _)| own.contains(p));
         }
         if let Some(share) = &mut self.work.share {
@@ -327,9 +315,9 @@ impl Cycle {
         let Some(ranks) = self.ranks() else {
             return here;
         };
-        let all = ranks.all_gather(&[u64::from(here.is_err())]);
+        let failed = ranks.first_with(here.is_err());
         here?;
-        match all.iter().position(|words| words[0] != 0) {
+        match failed {
             None => Ok(()),
             Some(rank) => Err(self.error(StepErrorKind::OtherRank { rank })),
         }
@@ -356,8 +344,7 @@ impl Cycle {
         let differ =
             |sent: &[u64], ghosts: Range<usize>| !sent.is_empty() && *sent != *hash(ghosts);
         let here = differ(&below, ghosts_below) || differ(&above, ghosts_above);
-        let all = share.ranks.all_gather(&[u64::from(here)]);
-        match all.iter().position(|words| words[0] != 0) {
+        match share.ranks.first_with(here) {
             None => Ok(()),
             Some(rank) => Err(self.error(StepErrorKind::RanksDisagree { rank })),
         }

@@ -34,8 +34,9 @@ impl Cycle {
                 *sum += count;
             }
         }
+        let begins = share.particles == 0;
         share.particles = all.iter().sum::<u64>() as usize;
-        if share.cut.is_uneven(&all) {
+        if begins || share.cut.is_uneven(&all) {
             share.cut = Cut::new(&all, share.ranks.count());
         }
         let parts = (0..share.ranks.count()).map(|rank| {

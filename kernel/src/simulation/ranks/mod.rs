@@ -75,6 +75,56 @@ impl Cycle {
         Ok(())
     }
 
+    /// Begins a simulation whose particles ranks share from the start: the maxima of all, and planes that the first sort will cut
+    /// by the particles in them.
+    pub(super) fn begin_shared(&mut self, ranks: Arc<dyn Ranks>) -> Result<(), SharingRefusal> {
+        self.can_be_shared(ranks.count())?;
+        let planes = self.work.grid.shape.nodes[0];
+        self.work.share = Some(Share {
+            cut: Cut::new(&vec![1; planes], ranks.count()),
+            particles: 0,
+            diffusivity: 0.0,
+            ranks,
+        });
+        self.join_start();
+        Ok(())
+    }
+
+    /// Finds the largest viscosity over density of all ranks anew, after a restart.
+    pub(super) fn join_diffusivity(&mut self) {
+        let mut most = [self.own_diffusivity()];
+        self.join_most(&mut most);
+        if let Some(share) = &mut self.work.share {
+            share.diffusivity = most[0];
+        }
+    }
+
+    /// Joins what the start depends on, while each rank has its own particles alone.
+    fn join_start(&mut self) {
+        let mut numbers = vec![self.own_diffusivity(), self.work.load_acceleration];
+        numbers.extend(self.state.found.iter().flat_map(|found| found.numbers()));
+        self.join_most(&mut numbers);
+        self.work.load_acceleration = numbers[1];
+        let all = numbers[2..].as_chunks().0;
+        for (found, numbers) in self.state.found.iter_mut().zip(all) {
+            found.set_numbers(*numbers);
+        }
+        self.state.set_stencil();
+        let Some(share) = &mut self.work.share else {
+            return;
+        };
+        share.diffusivity = numbers[0];
+        let own = share.planes();
+        let layers = self.work.grid.shape.bases()[0];
+        for set in &mut self.state.sets {
+            // All of them lie in the own planes until they are sorted.
+            let count = set.len();
+            let start = |layer: usize| if layer <= own.start { 0 } else { count };
+            set.layers = (0..=layers).map(start).collect();
+        }
+        self.work.grid.owned = own;
+    }
+
     /// Shares each step among ranks: between two steps every one of them has the whole simulation, as one process has it. That
     /// costs messages of the size of the state, and is for programs that look at the simulation after each step, all ranks
     /// alike.

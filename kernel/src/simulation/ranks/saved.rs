@@ -66,7 +66,9 @@ impl Cycle {
     /// the layers that this rank will hold, of which [`Cycle::restore`] takes the particles. `None` where no ranks share it.
     pub fn cut_for_restore(&mut self, layers: &[u64], stencil: usize) -> Option<Range<usize>> {
         let share = self.work.share.as_mut()?;
-        share.cut = Cut::new(layers, share.ranks.count());
+        let mut planes = layers.to_vec();
+        planes.resize(self.work.grid.shape.nodes[0], 0);
+        share.cut = Cut::new(&planes, share.ranks.count());
         share.particles = layers.iter().sum::<u64>() as usize;
         self.work.grid.owned = share.planes();
         Some(share.cut.held(share.rank(), stencil))

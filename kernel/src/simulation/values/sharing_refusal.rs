@@ -17,6 +17,11 @@ pub enum SharingRefusal {
         /// Most ranks.
         most: usize,
     },
+    /// Another rank cannot set its part up; it has the error.
+    OtherRank {
+        /// Its number, from 0.
+        rank: usize,
+    },
 }
 
 impl fmt::Display for SharingRefusal {
@@ -30,6 +35,7 @@ impl fmt::Display for SharingRefusal {
                 f,
                 "{ranks} ranks are too many for the planes of this mesh along its first axis; accepted: at most {most}"
             ),
+            Self::OtherRank { rank } => write!(f, "rank {rank} cannot set its part up"),
         }
     }
 }

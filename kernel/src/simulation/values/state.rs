@@ -135,12 +135,11 @@ impl std::error::Error for RestoreError {}
 impl State {
     /// The state at time zero of sets that were just filled; what each body was found to be.
     pub(in crate::simulation) fn new(sets: Vec<ParticleSet>, found: Vec<ParticleMaxima>) -> Self {
-        let widest = found.iter().map(|f| f.half_length).fold(0.0, f64::max);
-        Self {
+        let mut state = Self {
             sets,
             found,
             clock: Clock::default(),
-            stencil: if widest > 0.5 { 4 } else { 3 },
+            stencil: 0,
             // Nothing is sorted yet.
             travel: f64::INFINITY,
             groups: Groups::default(),
@@ -153,7 +152,15 @@ impl State {
             start_spin: None,
             absorbing: vec![],
             free_ground: vec![],
-        }
+        };
+        state.set_stencil();
+        state
+    }
+
+    /// Sets the stencil of the start: the nodes along an axis that the widest particle reaches.
+    pub(in crate::simulation) fn set_stencil(&mut self) {
+        let widest = self.found.iter().map(|f| f.half_length).fold(0.0, f64::max);
+        self.stencil = if widest > 0.5 { 4 } else { 3 };
     }
 }
 

@@ -103,6 +103,30 @@ pub struct ParticleMaxima {
     pub fault: Option<(usize, FaultKind)>,
 }
 
+impl ParticleMaxima {
+    /// The maxima, one after the other.
+    pub(crate) fn numbers(&self) -> [f64; 5] {
+        [
+            self.speed_squared,
+            self.wave_speed_squared,
+            self.increment_squared,
+            self.travel,
+            self.half_length,
+        ]
+    }
+
+    /// Puts maxima in the place of these, in the same order.
+    pub(crate) fn set_numbers(&mut self, numbers: [f64; 5]) {
+        [
+            self.speed_squared,
+            self.wave_speed_squared,
+            self.increment_squared,
+            self.travel,
+            self.half_length,
+        ] = numbers;
+    }
+}
+
 /// Fault of a particle in a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FaultKind {

@@ -134,8 +134,18 @@ pub(super) fn read(path: &Path) -> Result<Checkpoint, CheckpointError> {
     })
 }
 
+/// Number of sections and fingerprint of a header that was checked.
+pub(super) fn count_and_fingerprint(header: &[u8]) -> (u32, u64) {
+    (u32::get(&header[12..16]), u64::get(&header[16..24]))
+}
+
+/// The checksum in the last bytes.
+pub(super) fn checksum(bytes: &[u8]) -> u32 {
+    u32::get(bytes)
+}
+
 /// Returns the length that the file should have.
-fn check_header(path: &Path, header: &[u8], found: u64) -> Result<u64, CheckpointError> {
+pub(super) fn check_header(path: &Path, header: &[u8], found: u64) -> Result<u64, CheckpointError> {
     let path = path.to_path_buf();
     // A file cut off inside the magic is still recognisable as far as it goes; an empty file is not.
     let known = header.len().min(MAGIC.len());
@@ -198,16 +208,13 @@ fn parse(content: &[u8]) -> Result<Checkpoint, String> {
             return Err(format!("two sections '{name}'"));
         }
         let count = rest.number::<u64>()?;
-        let data = match code {
-            0 => SectionData::F64(rest.numbers(count)?),
-            1 => SectionData::U64(rest.numbers(count)?),
-            2 => SectionData::I64(rest.numbers(count)?),
-            3 => SectionData::U8(rest.numbers(count)?),
-            other => return Err(format!("section '{name}' has the unknown type {other}")),
-        };
+        let width = width_of(code)
+            .ok_or_else(|| format!("section '{name}' has the unknown type {code}"))?;
+        let bytes = count.checked_mul(width as u64);
+        let bytes = rest.take(bytes.ok_or("a section reaches beyond the end")?)?;
         checkpoint.sections.push(Section {
             name: name.to_owned(),
-            data,
+            data: SectionData::of_bytes(code, bytes),
         });
     }
     if rest.0.is_empty() {
@@ -223,6 +230,27 @@ fn type_code(data: &SectionData) -> u8 {
         SectionData::U64(_) => 1,
         SectionData::I64(_) => 2,
         SectionData::U8(_) => 3,
+    }
+}
+
+/// Bytes of a value of a type, by its code.
+pub(super) fn width_of(code: u8) -> Option<usize> {
+    match code {
+        0..=2 => Some(8),
+        3 => Some(1),
+        _ => None,
+    }
+}
+
+impl SectionData {
+    /// The values of a type, by its code, from their bytes.
+    pub(super) fn of_bytes(code: u8, bytes: &[u8]) -> Self {
+        match code {
+            0 => Self::F64(little_endian::read(bytes)),
+            1 => Self::U64(little_endian::read(bytes)),
+            2 => Self::I64(little_endian::read(bytes)),
+            _ => Self::U8(bytes.to_vec()),
+        }
     }
 }
 
@@ -287,12 +315,5 @@ impl<'a> Bytes<'a> {
 
     fn number<T: LittleEndian>(&mut self) -> Result<T, String> {
         self.take(T::SIZE as u64).map(T::get)
-    }
-
-    fn numbers<T: LittleEndian>(&mut self, count: u64) -> Result<Vec<T>, String> {
-        let bytes = count
-            .checked_mul(T::SIZE as u64)
-            .ok_or("a section reaches beyond the end")?;
-        self.take(bytes).map(little_endian::read)
     }
 }

@@ -6,11 +6,13 @@ use std::collections::HashSet;
 use std::path::Path;
 
 mod error;
+mod file;
 mod format;
 mod section;
 mod shared;
 
 pub use error::CheckpointError;
+pub use file::CheckpointFile;
 pub use section::{Section, SectionData, SectionNumber};
 pub use shared::{SectionPart, SharedCheckpoint};
 
@@ -47,6 +49,17 @@ impl Checkpoint {
             name: name.into(),
             data: T::wrap(values),
         });
+    }
+
+    /// Puts values in the place of those of a section, where there is one of this name.
+    pub(crate) fn replace<T: SectionNumber>(&mut self, name: &str, values: Vec<T>) {
+        let section = self
+            .sections
+            .iter_mut()
+            .find(|section| section.name == name);
+        if let Some(section) = section {
+            section.data = T::wrap(values);
+        }
     }
 
     /// The values of the section `name`, which holds `T`.

@@ -343,6 +343,22 @@ fn the_scenes_to_begin_with_are_sound() {
     }
 }
 
+/// A box without a corner, beside a disc that it may touch: how far they overlap is not known.
+#[test]
+fn a_box_without_a_corner_beside_a_disc_is_refused() {
+    let mut without = 0;
+    for base in BASES {
+        let corner = "\"point_p1\": [0.5, 0.5], ";
+        let text = base.replacen(corner, "", 1);
+        if text == *base || !base.contains("\"disc\"") {
+            continue;
+        }
+        without += 1;
+        assert!(matches!(outcome(&text), Ok(Outcome::Refused(_))), "{text}");
+    }
+    assert!(without > 0, "no base has a box and a disc");
+}
+
 /// The scenes of the fixtures and the manuals, each with its folder.
 fn fixtures() -> Vec<(PathBuf, String)> {
     let mut found = vec![];

@@ -133,7 +133,8 @@ fn overlap(a: &Shape, b: &Shape, axes: usize) -> Option<(f64, Vector)> {
         | (Shape::Sphere { center, radius }, Shape::Cuboid { p1, p2 }) => {
             let mut at = [0.0; 3];
             for axis in 0..axes {
-                at[axis] = center[axis].clamp(p1[axis], p2[axis].max(p1[axis]));
+                // A corner that is missing is not a number, which `clamp` does not take.
+                at[axis] = center[axis].max(p1[axis]).min(p2[axis].max(p1[axis]));
             }
             Some((radius - distance(&at, center), at))
         }
