@@ -62,8 +62,8 @@ impl Setting {
         }
     }
 
-    pub fn try_fill(&self, shape: Shape) -> Result<FilledBody, FillError> {
-        let body = Body {
+    fn body(&self, shape: Shape) -> Body {
+        Body {
             name: "body".into(),
             id: 1,
             material: 0,
@@ -72,20 +72,23 @@ impl Setting {
             velocity: [0.0; 3],
             motion: None,
             initial_stress: InitialStress::None,
-        };
-        fill(
-            &body.shape,
-            body.particles_per_cell,
-            &self.mesh(),
-            self.dimension,
-        )
+        }
+    }
+
+    pub fn try_fill(&self, shape: Shape) -> Result<FilledBody, FillError> {
+        self.filled(&self.body(shape))
+    }
+
+    fn filled(&self, body: &Body) -> Result<FilledBody, FillError> {
+        let mesh = self.mesh();
+        fill(&body.shape, body.particles_per_cell, &mesh, self.dimension)
     }
 
     /// Fills, and checks what holds for every shape.
     pub fn fill(&self, shape: Shape) -> FilledBody {
-        let list = matches!(shape, Shape::Particles(_));
-        let filled = self.try_fill(shape.clone());
-        let filled = filled.expect("the body fits the mesh");
+        let body = self.body(shape);
+        let filled = self.filled(&body).expect("the body fits the mesh");
+        let list = matches!(body.shape, Shape::Particles(_));
         let n = filled.count();
         assert!(n > 0);
         assert!(filled.x.iter().all(|x| x.len() == n));
@@ -101,7 +104,7 @@ impl Setting {
                 points.is_sorted_by(|a, b| a < b),
                 "not in lexicographic order"
             );
-            self.require_parts(&shape, &filled);
+            self.require_parts(&body.shape, &filled);
         }
         if self.dimension == Dimension::Two {
             assert!(filled.x[2].iter().all(|&z| z == 0.0));

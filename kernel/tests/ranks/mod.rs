@@ -153,6 +153,9 @@ fn alone(scene: &Scene, steps: usize, initial: &InitialField) -> (End, Measures)
     (end(&mut simulation, stepped), measures)
 }
 
+/// Measures and error of a rank.
+type OfRank = (Measures, Option<StepError>);
+
 /// The end of a scene on some ranks as the first one has it, and the error of each rank.
 fn shared(
     scene: &Scene,
@@ -160,9 +163,9 @@ fn shared(
     steps: usize,
     initial: &InitialField,
     meddle: Option<Meddle>,
-) -> (End, Vec<(Measures, Option<StepError>)>) {
+) -> (End, Vec<OfRank>) {
     let ranks = threads::ranks(count, meddle);
-    let ends: Vec<(Option<End>, (Measures, Option<StepError>))> = std::thread::scope(|scope| {
+    let ends: Vec<(Option<End>, OfRank)> = std::thread::scope(|scope| {
         let run = |rank| {
             move || {
                 let rank: Arc<dyn Ranks> = Arc::new(rank);

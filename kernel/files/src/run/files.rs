@@ -116,14 +116,14 @@ impl Files {
         simulation.note_extremes();
         let simulation = &*simulation;
         if due.particles {
-            self.write_frame(PARTICLES, frames::of_particles(simulation), simulation)?;
+            self.write_frame(PARTICLES, &frames::of_particles(simulation), simulation)?;
         }
         if due.grid {
-            self.write_frame(GRID, grid::frame(simulation), simulation)?;
+            self.write_frame(GRID, &grid::frame(simulation), simulation)?;
         }
         if due.boundaries {
             let frame = FramePart::whole(boundaries::frame(simulation));
-            self.write_frame(BOUNDARIES, frame, simulation)?;
+            self.write_frame(BOUNDARIES, &frame, simulation)?;
         }
         if let Some(Some(row)) = row {
             let growing = self.growing.as_mut();
@@ -155,7 +155,7 @@ impl Files {
     fn write_frame(
         &mut self,
         stem: &'static str,
-        part: FramePart,
+        part: &FramePart,
         simulation: &Simulation,
     ) -> Result<(), RunError> {
         let growing = self.growing.as_mut();

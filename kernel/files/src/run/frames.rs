@@ -47,7 +47,7 @@ pub(super) struct FrameTarget<'a> {
 /// # Errors
 /// As [`Series::write_frame`].
 pub(super) fn write(
-    part: FramePart,
+    part: &FramePart,
     target: FrameTarget<'_>,
     ranks: Option<&dyn Ranks>,
 ) -> Result<(), RunError> {
@@ -71,7 +71,7 @@ pub(super) fn write(
         return Ok(());
     };
     if !in_pieces && points <= MOST_IN_ONE_FILE as u64 {
-        let written = match (gathered(ranks, &part), series) {
+        let written = match (gathered(ranks, part), series) {
             (Some(frame), Some(series)) => series.write_frame(&frame).map(|_| ()),
             _ => Ok(()),
         };

@@ -48,7 +48,7 @@ pub(super) fn write(simulation: &Simulation, path: &Path) -> Result<(), RunError
     let ranks = simulation.ranks();
     let written = match ranks {
         None => saved.checkpoint.write(path),
-        Some(ranks) => saved.write(path, ranks).map(|_| ()),
+        Some(ranks) => saved.write(path, ranks),
     };
     ranks::agree(ranks, written.map_err(RunError::from))
 }

@@ -25,6 +25,7 @@ use super::Cycle;
 use super::interactions::Interaction;
 use crate::ranks::Ranks;
 use crate::simulation::values::{SharingRefusal, StepError, StepInfo};
+use crate::stage::g2p::ParticleMaxima;
 use cut::{Cut, LEAST_PLANES};
 use std::ops::Range;
 use std::sync::Arc;
@@ -102,7 +103,7 @@ impl Cycle {
     /// Joins what the start depends on, while each rank has its own particles alone.
     fn join_start(&mut self) {
         let mut numbers = vec![self.own_diffusivity(), self.work.load_acceleration];
-        numbers.extend(self.state.found.iter().flat_map(|found| found.numbers()));
+        numbers.extend(self.state.found.iter().flat_map(ParticleMaxima::numbers));
         self.join_most(&mut numbers);
         self.work.load_acceleration = numbers[1];
         let all = numbers[2..].as_chunks().0;
