@@ -134,13 +134,14 @@ def import_vtk():
         import numpy
         from vtkmodules.util.numpy_support import vtk_to_numpy
         from vtkmodules.vtkCommonCore import vtkVersion
-        from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+        from vtkmodules.vtkIOXML import vtkXMLPUnstructuredGridReader, vtkXMLUnstructuredGridReader
     except ImportError as error:
         leave(f"needs Python's vtk package with numpy ({error}); install it with: pip install vtk numpy")
     return {
         "numpy": numpy,
         "to_numpy": vtk_to_numpy,
         "reader": vtkXMLUnstructuredGridReader,
+        "reader of pieces": vtkXMLPUnstructuredGridReader,
         "version": vtkVersion.GetVTKVersion(),
     }
 
@@ -163,7 +164,7 @@ def read_frame(modules, path):
     """What VTK makes of the file, as numpy arrays; or the reason why it makes nothing of it."""
     if not path.is_file():
         return None, "listed, but not there"
-    reader = modules["reader"]()
+    reader = modules["reader of pieces" if path.suffix == ".pvtu" else "reader"]()
     errors = []
     # VTK reports a bad file as an event of the reader or of the XML parser in it, and goes on with an empty grid.
     reader.AddObserver("ErrorEvent", lambda *_: errors.append("VTK reports an error"))

@@ -49,6 +49,9 @@ pub struct Run {
     /// Draw the last frame and the histories when the run is over, as `proctor picture` does
     #[arg(long, requires = "out")]
     picture: bool,
+    /// Write each frame as a file of each rank, named by particles_*.pvtu, however few points it has; on ranks
+    #[arg(long, requires = "out")]
+    pieces: bool,
     #[command(flatten)]
     settings: Settings,
     /// Checkpoint of the same scene to go on from; of a scene with stages, that in the folder of the stage that is to go on
@@ -67,6 +70,12 @@ struct Tally {
 impl Run {
     pub fn run(&self, out: &mut dyn Write) -> Result<Outcome, Failure> {
         ranks::refuse_copies()?;
+        if self.pieces {
+            return Err(Failure::BadInput(
+                "--pieces: found one process; accepted: ranks, `mpirun -n N proctor-mpi run SCENE`"
+                    .to_owned(),
+            ));
+        }
         self.run_on(None, out)
     }
 
@@ -142,7 +151,11 @@ impl Run {
     ) -> Result<Outcome, Failure> {
         let options = match ranks {
             None => self.settings.options()?,
-            Some(ranks) => ranks::options(self.settings.options()?, scene, ranks)?,
+            Some(ranks) => {
+                let mut options = ranks::options(self.settings.options()?, scene, ranks)?;
+                options.in_pieces = self.pieces;
+                options
+            }
         };
         if let (None, Some(threads)) = (options.threads, scene.threads) {
             let key = format!("{}: n_threads", self.scene.display());

@@ -39,13 +39,21 @@ impl Cycle {
         if begins || share.cut.is_uneven(&all) {
             share.cut = Cut::new(&all, share.ranks.count());
         }
-        let parts = (0..share.ranks.count()).map(|rank| {
+        // Particles of each body that a rank will hold.
+        let reaching = |body: usize, rank: usize| -> Vec<usize> {
             let held = share.cut.held(rank, stencil);
+            let particles = ranges[body].clone().zip(&layers[body]);
+            let reaching = particles.filter(|(_, layer)| held.contains(layer));
+            reaching.map(|(p, _)| p).collect()
+        };
+        let here = share.rank();
+        let parts = (0..share.ranks.count()).map(|rank| {
             let mut words = vec![];
+            if rank == here {
+                return words;
+            }
             for (body, set) in self.state.sets.iter().enumerate() {
-                let particles = ranges[body].clone().zip(&layers[body]);
-                let reaching = particles.filter(|(_, layer)| held.contains(layer));
-                let reaching: Vec<usize> = reaching.map(|(p, _)| p).collect();
+                let reaching = reaching(body, rank);
                 pack(set, &reaching, &mut words);
                 if let Some(watch) = &self.work.tension {
                     let growth = reaching.iter().map(|&p| watch.growth(body, set.id[p]));
@@ -55,21 +63,72 @@ impl Cycle {
             words
         });
         let received = share.ranks.all_to_all(parts.collect());
+        let stay: Vec<Vec<usize>> = (0..ranges.len()).map(|body| reaching(body, here)).collect();
         let mut received: Vec<Words<'_>> = received.iter().map(|words| Words::of(words)).collect();
+        let (below, above) = received.split_at_mut(here);
         for (body, set) in self.state.sets.iter_mut().enumerate() {
-            set.id.clear();
-            set.columns.iter_mut().for_each(Vec::clear);
-            for words in &mut received {
-                let before = set.len();
-                unpack(set, words);
-                if let Some(watch) = &mut self.work.tension {
-                    for id in &set.id[before..] {
-                        watch.set_growth(body, *id, words.number());
+            let [below, above] = [&mut *below, &mut above[1..]].map(|ranks| {
+                let mut parts = vec![];
+                for words in ranks {
+                    let part = PackedParticles::read(words, set.columns.len());
+                    if let Some(watch) = &mut self.work.tension {
+                        for id in part.ids {
+                            watch.set_growth(body, *id, words.number());
+                        }
                     }
+                    parts.push(part);
                 }
-            }
+                parts
+            });
+            take_up(set, &below, &stay[body], &above);
         }
         self.work.grid.owned = share.planes();
+    }
+}
+
+/// Particles that another rank has packed.
+struct PackedParticles<'a> {
+    ids: &'a [u64],
+    columns: Vec<&'a [u64]>,
+}
+
+impl<'a> PackedParticles<'a> {
+    fn read(words: &mut Words<'a>, columns: usize) -> Self {
+        let count = words.count();
+        Self {
+            ids: words.take(count),
+            columns: (0..columns).map(|_| words.take(count)).collect(),
+        }
+    }
+}
+
+/// Puts particles of the ranks before and behind around those that stay, a column at a time: no column is there twice but one.
+fn take_up(
+    set: &mut ParticleSet,
+    below: &[PackedParticles<'_>],
+    stay: &[usize],
+    above: &[PackedParticles<'_>],
+) {
+    let others = below.iter().chain(above).map(|part| part.ids.len());
+    let count = stay.len() + others.sum::<usize>();
+    let mut id = Vec::with_capacity(count);
+    let ids = |parts: &[PackedParticles<'_>]| -> Vec<u64> {
+        parts.iter().flat_map(|part| part.ids).copied().collect()
+    };
+    id.extend(ids(below));
+    id.extend(stay.iter().map(|&p| set.id[p]));
+    id.extend(ids(above));
+    set.id = id;
+    for (number, column) in set.columns.iter_mut().enumerate() {
+        let packed = |part: &PackedParticles<'_>| {
+            let words = part.columns[number].to_vec();
+            words.into_iter().map(f64::from_bits)
+        };
+        let mut all = Vec::with_capacity(count);
+        all.extend(below.iter().flat_map(packed));
+        all.extend(stay.iter().map(|&p| column[p]));
+        all.extend(above.iter().flat_map(packed));
+        *column = all;
     }
 }
 
