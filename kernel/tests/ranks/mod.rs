@@ -2,6 +2,7 @@
 
 mod contact;
 mod threads;
+mod water;
 
 use crate::common::{
     APIC, DIMENSIONS, FLIP, MLS, NEVER, SCHEMES, body, cuboid, elastic, empty, material, options,

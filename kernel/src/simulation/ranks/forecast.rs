@@ -3,7 +3,7 @@
 use super::cut::Cut;
 use super::{SharingRefusal, exchange};
 use crate::model::StressScheme;
-use crate::simulation::Cycle;
+use crate::simulation::{Cycle, water};
 use std::ops::Range;
 
 /// The share that a rank would have.
@@ -57,6 +57,11 @@ impl Cycle {
     /// Exchanges of planes in a step.
     fn exchanges_per_step(&self) -> usize {
         let maps_again = self.model.plan.scheme != StressScheme::Usl;
-        1 + usize::from(maps_again) + usize::from(self.has_separate_p2g())
+        let of_water = if self.work.grid.has_water {
+            water::exchanges_per_step(&self.model.settings)
+        } else {
+            0
+        };
+        1 + usize::from(maps_again) + usize::from(self.has_separate_p2g()) + of_water
     }
 }

@@ -237,6 +237,25 @@ impl Cycle {
         Ok(all)
     }
 
+    /// The first particle of a body that something holds for on any rank, with a value: ranks have a body one after the other.
+    pub(in crate::simulation) fn join_first(
+        &self,
+        here: Option<(ParticleAt, f64)>,
+    ) -> Option<(ParticleAt, f64)> {
+        let Some(ranks) = self.ranks() else {
+            return here;
+        };
+        let mut words = vec![];
+        if let Some((at, value)) = &here {
+            words.extend(words_of_particle(at));
+            words.push(value.to_bits());
+        }
+        let all = ranks.all_gather(&words);
+        let first = all.iter().find(|words| !words.is_empty())?;
+        let mut words = Words::of(first);
+        Some((particle(&mut words), words.number()))
+    }
+
     /// The particle of any rank that a measure puts first, with its body and factor: that of the largest factor, then of the
     /// first body, then of the smallest identifier.
     pub(in crate::simulation) fn join_farthest(

@@ -215,8 +215,6 @@ impl Cycle {
                 "conditions of a program's own",
             ),
             (settings.absorbs(), "absorbing planes"),
-            (self.work.grid.has_water, "pore water"),
-            (!settings.standing_waters.is_empty(), "standing water"),
         ];
         let interactions = self.interactions();
         interactions

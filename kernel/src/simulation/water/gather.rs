@@ -2,7 +2,7 @@
 
 use super::nodes::hand_over;
 use crate::layout::Layout;
-use crate::model::POROSITIES;
+use crate::model::{CycleSettings, POROSITIES, StressScheme};
 use crate::particles::ParticleSet;
 use crate::simulation::Cycle;
 use crate::simulation::fields::shares;
@@ -23,14 +23,19 @@ impl Cycle {
         kicks: bool,
         compress: Option<(f64, usize)>,
     ) -> Result<(), StepError> {
-        let grid = &mut self.work.grid;
-        if !grid.has_water {
+        if !self.work.grid.has_water {
             return Ok(());
         }
         let pic = self.model.settings.transfer.pic_fraction;
         let share = if kicks { pic } else { 0.0 };
         let lane = compress.map(|(_, lane)| lane);
-        grid.visit(|mut slab| hand_over(&mut slab, share, lane));
+        if share != 0.0 || lane.is_some() {
+            self.work
+                .grid
+                .visit(|mut slab| hand_over(&mut slab, share, lane));
+            self.exchange_planes();
+        }
+        let grid = &mut self.work.grid;
         let task = WaterTask {
             kick: kicks.then_some(1.0 - pic),
             compress,
@@ -64,10 +69,11 @@ impl Cycle {
                 all_sound.store(false, Ordering::Relaxed);
             }
         });
-        if all_sound.into_inner() {
-            Ok(())
-        } else {
+        let faulty = !all_sound.into_inner();
+        if self.holds_anywhere(faulty) {
             self.watch_porosity()
+        } else {
+            Ok(())
         }
     }
 
@@ -77,18 +83,22 @@ impl Cycle {
         for (index, (set, body)) in self.state.sets.iter().zip(&self.model.bodies).enumerate() {
             let Some(water) = &body.water else { continue };
             let columns = [Layout::MASS, Layout::VOLUME].map(|column| &set.columns[column]);
-            let all = columns[0].iter().zip(columns[1]);
+            let porosity = |p: usize| water.porosity_of(columns[0][p], columns[1][p]);
             let [low, high] = POROSITIES;
-            let outside = |(mass, volume): (&f64, &f64)| {
-                let n = water.porosity_of(*mass, *volume);
-                !(low..=high).contains(&n)
-            };
-            if let Some(p) = all.clone().position(outside) {
-                let porosity = water.porosity_of(columns[0][p], columns[1][p]);
-                let particle = self.particle_at(index, p);
+            let mut own = self.own_particles(set);
+            let outside = own.find(|p| !(low..=high).contains(&porosity(*p)));
+            let here = outside.map(|p| (self.particle_at(index, p), porosity(p)));
+            if let Some((particle, porosity)) = self.join_first(here) {
                 return Err(self.error(StepErrorKind::Porosity { particle, porosity }));
             }
         }
         Ok(())
     }
+}
+
+/// Nodes of the water that ranks send each other once more in a step, since particles gather mean velocities and increments from them:
+/// the number of times.
+pub(in crate::simulation) fn exchanges_per_step(settings: &CycleSettings) -> usize {
+    let share = settings.transfer.pic_fraction != 0.0;
+    1 + usize::from(settings.scheme == StressScheme::Musl && share)
 }

@@ -56,7 +56,9 @@ impl Cycle {
         for (m, v) in masses.1.iter().zip(volumes.1) {
             lower(&mut least[0], *m, *v);
         }
-        let least = least.into_iter().fold(1.0, f64::min);
+        let mut most = [-least.into_iter().fold(1.0, f64::min)];
+        self.join_most(&mut most);
+        let least = -most[0];
         water.fast_speed(self.state.found[index].wave_speed_squared, least)
     }
 

@@ -15,4 +15,5 @@ mod gather;
 mod measure;
 mod nodes;
 
+pub(super) use gather::exchanges_per_step;
 pub(super) use nodes::{drag, porosity_at, share_beyond, split};
