@@ -450,6 +450,35 @@ fn a_step_sends_what_the_plan_counts() {
     }
 }
 
+/// Of all cuts the one that is taken leaves the rank with most particles, ghosts among them, the fewest.
+#[test]
+fn the_fullest_rank_has_as_few_particles_as_can_be() {
+    for ppc in [1, 2] {
+        let mut scene = strip(Dimension::Two);
+        // Domains of a whole cell reach a fourth node.
+        scene.weighting = Weighting::ContiguousGimp(DomainUpdate::Stretch);
+        scene.bodies[0].particles_per_cell = [ppc, 1, 1];
+        let simulation = start(&scene, 1, &drifting(&scene, 0.0));
+        let stencil = simulation.view().stencil;
+        let planes = simulation.view().grid.shape.nodes[0];
+        let held = |from: usize, to: usize| -> usize {
+            let layers = from.saturating_sub(stencil)..(to + 1).min(planes);
+            let sets = simulation.sets().iter();
+            sets.map(|set| set.in_layers(layers.clone()).len()).sum()
+        };
+        let mut best = usize::MAX;
+        for a in 5..=planes - 10 {
+            for b in a + 5..=planes - 5 {
+                best = best.min(held(0, a).max(held(a, b)).max(held(b, planes)));
+            }
+        }
+        let forecast = simulation.forecast_ranks(3).expect("it can be shared");
+        let found = forecast.iter().map(|rank| rank.particles + rank.ghosts);
+        assert_eq!(found.max(), Some(best), "stencil {stencil}");
+        assert!(forecast.iter().all(|rank| rank.planes.len() >= 5));
+    }
+}
+
 /// One number of a ghost that changes on its way is found when ghosts are compared with their owners.
 #[test]
 fn a_changed_ghost_is_found() {

@@ -104,24 +104,3 @@ fn range_of(rank: usize, ranks: usize, mut slices: Vec<FilledSlice>) -> [f64; 2]
         _ => begin(rank),
     })
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn ranges_follow_each_other_and_have_equal_parts() {
-        let slices: Vec<FilledSlice> = (0..12)
-            .map(|k| FilledSlice {
-                x: f64::from(11 - k),
-                count: 5,
-            })
-            .collect();
-        let all: Vec<[f64; 2]> = (0..3).map(|r| range_of(r, 3, slices.clone())).collect();
-        let (low, high) = (f64::NEG_INFINITY, f64::INFINITY);
-        assert_eq!(all, [[low, 4.0], [4.0, 8.0], [8.0, high]]);
-        // More ranks than slices: some have none.
-        let few = range_of(1, 3, slices[..1].to_vec());
-        assert!(few[0] >= few[1] || few[0] > 11.0, "{few:?}");
-    }
-}

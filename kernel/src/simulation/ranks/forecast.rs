@@ -26,8 +26,8 @@ impl Cycle {
     /// See [`Cycle::share_among`].
     pub fn forecast_ranks(&self, ranks: usize) -> Result<Vec<RankForecast>, SharingRefusal> {
         self.can_be_shared(ranks)?;
-        let cut = Cut::new(&self.particles_of_layers(), ranks);
-        let (stencil, reach) = (self.state.stencil, self.state.stencil + 1);
+        let cut = Cut::new(&self.particles_of_layers(), ranks, self.state.stencil);
+        let reach = self.state.stencil + 1;
         let particles = |layers: Range<usize>| -> usize {
             let sets = self.state.sets.iter();
             sets.map(|set| set.in_layers(layers.clone()).len()).sum()
@@ -46,7 +46,7 @@ impl Cycle {
             }
             RankForecast {
                 particles: own,
-                ghosts: particles(cut.held(rank, stencil)) - own,
+                ghosts: particles(cut.held(rank)) - own,
                 sent: bytes * self.exchanges_per_step(),
                 planes,
             }

@@ -36,12 +36,13 @@ impl Cycle {
         }
         let begins = share.particles == 0;
         share.particles = all.iter().sum::<u64>() as usize;
-        if begins || share.cut.is_uneven(&all) {
-            share.cut = Cut::new(&all, share.ranks.count());
+        let best = Cut::new(&all, share.ranks.count(), stencil);
+        if begins || share.cut.is_uneven(&all, &best) || share.cut.reach() != stencil {
+            share.cut = best;
         }
         // Particles of each body that a rank will hold.
         let reaching = |body: usize, rank: usize| -> Vec<usize> {
-            let held = share.cut.held(rank, stencil);
+            let held = share.cut.held(rank);
             let particles = ranges[body].clone().zip(&layers[body]);
             let reaching = particles.filter(|(_, layer)| held.contains(layer));
             reaching.map(|(p, _)| p).collect()

@@ -82,7 +82,7 @@ impl Cycle {
         self.can_be_shared(ranks.count())?;
         let planes = self.work.grid.shape.nodes[0];
         self.work.share = Some(Share {
-            cut: Cut::new(&vec![1; planes], ranks.count()),
+            cut: Cut::new(&vec![1; planes], ranks.count(), self.state.stencil),
             particles: 0,
             diffusivity: 0.0,
             ranks,
@@ -157,7 +157,11 @@ impl Cycle {
     fn cut_among(&self, ranks: Arc<dyn Ranks>) -> Result<Share, SharingRefusal> {
         self.can_be_shared(ranks.count())?;
         Ok(Share {
-            cut: Cut::new(&self.particles_of_layers(), ranks.count()),
+            cut: Cut::new(
+                &self.particles_of_layers(),
+                ranks.count(),
+                self.state.stencil,
+            ),
             particles: self.particles(),
             diffusivity: self.own_diffusivity(),
             ranks,
@@ -166,7 +170,7 @@ impl Cycle {
 
     /// Keeps the part of this rank of the whole simulation.
     fn keep_part(&mut self, share: Share) {
-        let held = share.cut.held(share.rank(), self.state.stencil);
+        let held = share.cut.held(share.rank());
         for set in &mut self.state.sets {
             set.keep_layers(held.clone());
         }

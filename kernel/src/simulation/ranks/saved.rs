@@ -68,9 +68,9 @@ impl Cycle {
         let share = self.work.share.as_mut()?;
         let mut planes = layers.to_vec();
         planes.resize(self.work.grid.shape.nodes[0], 0);
-        share.cut = Cut::new(&planes, share.ranks.count());
+        share.cut = Cut::new(&planes, share.ranks.count(), stencil);
         share.particles = layers.iter().sum::<u64>() as usize;
         self.work.grid.owned = share.planes();
-        Some(share.cut.held(share.rank(), stencil))
+        Some(share.cut.held(share.rank()))
     }
 }
