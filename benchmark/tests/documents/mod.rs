@@ -10,6 +10,7 @@ mod links;
 mod names;
 mod packages;
 mod promises;
+mod ranks;
 mod scripts;
 #[cfg(unix)]
 mod workflows;

@@ -55,7 +55,7 @@ pub use mapping::{NodeWeights, node_weights, node_weights_touching};
 pub use nodes::NodeValues;
 pub use phase::Phase;
 use ranks::Share;
-pub use ranks::{OwnPart, PartOfSet, RankForecast};
+pub use ranks::{NOT_LOCAL, OwnPart, PartOfSet, RankForecast};
 pub use rehearsal::{Part, Rehearsal};
 pub use result_quality::{MOST_REMAINDER, ResultQuality};
 pub use start::Start;

@@ -3,6 +3,7 @@
 use super::MortarState;
 use super::mirrors::Mirrors;
 use super::surface::MovingBoundary;
+use crate::NOT_LOCAL;
 use proctor_kernel::model::CycleSettings;
 use proctor_kernel::simulation::{
     BalanceTraits, BodyList, Drift, Grid, Interaction, InteractionError, NodalConditions,
@@ -11,7 +12,7 @@ use proctor_kernel::simulation::{
 
 impl Interaction for MortarState {
     fn not_local(&self) -> Option<&'static str> {
-        Some("mortar contact")
+        Some(NOT_LOCAL[1])
     }
 
     /// Bodies whose boundary moves with a velocity field of their own.

@@ -14,6 +14,7 @@ mod reached_nodes;
 pub mod touch;
 mod touching_particles;
 
+use crate::NOT_LOCAL;
 use crate::kinds::{ContactType, InteractionResult};
 use crate::surfaces::touch::TouchedNode;
 use crate::values::{ContactValues, PairValues, RigidSurface};
@@ -96,7 +97,7 @@ impl SurfaceContact {
 
 impl Interaction for SurfaceContact {
     fn not_local(&self) -> Option<&'static str> {
-        Some("rigid surfaces or driven shapes")
+        Some(NOT_LOCAL[0])
     }
 
     fn start(&self, view: &StepView<'_>) -> Result<(), SetupError> {

@@ -84,7 +84,11 @@ impl Cut {
                 below = middle;
             }
         }
-        let even = || (0..ranks).map(|rank| counts.planes() * rank / ranks).collect();
+        let even = || {
+            (0..ranks)
+                .map(|rank| counts.planes() * rank / ranks)
+                .collect()
+        };
         let mut starts = counts.starts(ranks, fits).unwrap_or_else(even);
         starts.push(counts.planes());
         Self { starts, stencil }

@@ -30,6 +30,9 @@ use cut::{Cut, LEAST_PLANES};
 use std::ops::Range;
 use std::sync::Arc;
 
+/// Parts of a scene that ranks do not share, beside the interactions that say so ([`Interaction::not_local`]).
+pub const NOT_LOCAL: [&str; 2] = ["conditions of a program's own", "absorbing planes"];
+
 /// The part that a rank has in a shared simulation.
 pub(crate) struct Share {
     /// The ranks.
@@ -213,22 +216,12 @@ impl Cycle {
     /// The first part of the scene that more than its surroundings act on.
     fn not_local(&self) -> Option<&'static str> {
         let (model, settings) = (&self.model, &self.model.settings);
-        let parts = [
-            (
-                !model.own_conditions.is_empty(),
-                "conditions of a program's own",
-            ),
-            (settings.absorbs(), "absorbing planes"),
-        ];
+        let parts = [!model.own_conditions.is_empty(), settings.absorbs()];
+        let there = NOT_LOCAL.iter().zip(parts).filter(|(_, there)| *there);
         let interactions = self.interactions();
         interactions
             .filter_map(Interaction::not_local)
-            .chain(
-                parts
-                    .iter()
-                    .filter(|(there, _)| *there)
-                    .map(|(_, part)| *part),
-            )
+            .chain(there.map(|(part, _)| *part))
             .next()
     }
 }
