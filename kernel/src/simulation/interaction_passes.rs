@@ -184,6 +184,7 @@ impl Cycle {
     /// them; the number of nodes or vertices where a contact force acts.
     pub(super) fn settle(&mut self, nodal: &NodalConditions) -> Result<usize, StepError> {
         let settles = self.interactions().any(Interaction::settles);
+        self.exchange_to_settle();
         let WorkState {
             grid,
             interactions,
@@ -203,12 +204,21 @@ impl Cycle {
         Ok(touching)
     }
 
+    /// Sends the nodes that an interaction of another rank reads.
+    fn exchange_to_settle(&mut self) {
+        let reads = self.interactions().any(Interaction::settles_across_ranks);
+        if reads {
+            self.exchange_planes();
+        }
+    }
+
     /// The same for velocities that were mapped a second time.
     pub(super) fn settle_remapped(
         &mut self,
         nodal: &NodalConditions,
         remap: Remap,
     ) -> Result<(), StepError> {
+        self.exchange_to_settle();
         let WorkState {
             grid,
             interactions,

@@ -100,6 +100,12 @@ pub trait Interaction: InteractionClone + Any + Send + Sync {
     ) {
     }
 
+    /// True if [`Interaction::settle`] reads nodes around particles beside the planes of a rank: ranks send each other those nodes
+    /// before it, too.
+    fn settles_across_ranks(&self) -> bool {
+        false
+    }
+
     /// True if [`Interaction::settle`] changes velocities: the sums over the nodes are taken after it then.
     fn settles(&self) -> bool {
         false

@@ -243,8 +243,10 @@ impl Cycle {
         grid.visit_with(solved.iter_mut(), |mut slab, solved| {
             sums_after(&mut slab, &context, &mut solved.sums);
         });
-        for plane in solved.iter().flat_map(|slab| &slab.sums.planes) {
-            self.work.sums += plane;
+        let planes = solved.iter().flat_map(|slab| &slab.sums.planes);
+        match self.join_planes(planes.clone()) {
+            None => planes.for_each(|plane| self.work.sums += plane),
+            Some(all) => all.iter().for_each(|plane| self.work.sums += plane),
         }
         self.work.solved = solved;
     }

@@ -11,6 +11,7 @@ use crate::simulation::values::{BodyRun, Clock, Event, EventKind, ParticleAt};
 use crate::stage::g2p::ParticleMaxima;
 use crate::stage::solve::PlaneSums;
 use crate::team::Team;
+use std::ops::Range;
 
 /// A simulation in a step, as an interaction reads it.
 #[derive(Clone, Copy)]
@@ -63,6 +64,16 @@ impl<'a> StepView<'a> {
     pub fn smallest_cell(&self) -> f64 {
         let cell = &self.settings.mesh.cell[..self.grid.shape.axes];
         cell.iter().copied().fold(f64::INFINITY, f64::min)
+    }
+
+    /// Particles of a set that this process owns; all, where no ranks share them.
+    #[must_use]
+    pub fn own_particles(&self, set: usize) -> Range<usize> {
+        let particles = &self.particles[set];
+        match self.ranks {
+            None => 0..particles.len(),
+            Some(_) => particles.in_layers(self.grid.owned.clone()),
+        }
     }
 
     /// Position of a particle in the coordinates of the scene \[m\].

@@ -1,6 +1,7 @@
 //! Ranks that share a simulation: state, sums, events and errors are those of one process, bit by bit.
 
 mod contact;
+mod surfaces;
 mod threads;
 mod water;
 

@@ -47,6 +47,8 @@ fn a_penalty_force_adds_nothing_where_contact_presses_more() {
             field: 0,
             others: 0..0,
             mobility: [1.0, 1.0, 1.0, 0.0],
+            velocity: [0.0; 3],
+            increment: [0.0; 3],
             change: [0.0; 4],
         });
         touches.weights.push((0, [1.0, 1.0, 1.0, 0.0]));

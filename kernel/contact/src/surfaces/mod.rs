@@ -10,17 +10,17 @@ mod particle_ellipsoid;
 mod plan_entries;
 mod pushed_particle;
 mod reached_nodes;
+mod shared_touches;
 #[doc(hidden)]
 pub mod touch;
 mod touching_particles;
 
 use crate::NOT_LOCAL;
 use crate::kinds::{ContactType, InteractionResult};
-use crate::surfaces::touch::TouchedNode;
 use crate::values::{ContactValues, PairValues, RigidSurface};
-use fields::{Fields, change_velocities};
+use fields::change_velocities;
 use gap::refuse_overlap_with_surfaces;
-use near_particles::{NearParticles, ParticlePlace};
+use near_particles::NearParticles;
 use obstacle::RigidObstacle;
 use proctor_geometry::memory::Memory;
 use proctor_kernel::model::{CycleSettings, Vector};
@@ -96,8 +96,15 @@ impl SurfaceContact {
 }
 
 impl Interaction for SurfaceContact {
+    /// A surface moves as prescribed wherever particles are. The place of a driven body is that of one of its particles, which other
+    /// ranks do not hold.
     fn not_local(&self) -> Option<&'static str> {
-        Some(NOT_LOCAL[0])
+        let is_driven = |one: &RigidObstacle| matches!(one, RigidObstacle::Driven(_));
+        self.rigid.iter().any(is_driven).then_some(NOT_LOCAL[0])
+    }
+
+    fn settles_across_ranks(&self) -> bool {
+        true
     }
 
     fn start(&self, view: &StepView<'_>) -> Result<(), SetupError> {
@@ -111,6 +118,11 @@ impl Interaction for SurfaceContact {
                 driven.note_start(view);
             }
         }
+    }
+
+    /// Particles may have other places than those of the list.
+    fn fields_given(&mut self, _: &StepView<'_>) {
+        self.near.forget();
     }
 
     /// A body that is no longer driven, or moves in another way, may act on its partners at the nodes from now on.
@@ -266,17 +278,11 @@ impl SurfaceContact {
             (nodal, 1),
             &mut self.trial,
         )?;
-        let TouchingParticles {
-            touches, places, ..
-        } = &mut self.trial;
-        let key = |place: &ParticlePlace| {
-            let id = view.particles[place.set].id[place.p];
-            (place.surface, place.set, id)
-        };
+        let TouchingParticles { touches, keys, .. } = &mut self.trial;
         if goes_on(view.settings) {
             let factor = nodal.kick / self.last_kick;
-            for (touch, place) in touches.list.iter_mut().zip(&*places) {
-                let pushed = PushedParticle::find(&self.pushed, key(place));
+            for (touch, key) in touches.list.iter_mut().zip(&*keys) {
+                let pushed = PushedParticle::find(&self.pushed, *key);
                 if let (Some(pushed), true) = (pushed, touch.friction == 0.0) {
                     touch.normal_impulse = factor * pushed.impulse;
                 }
@@ -288,12 +294,7 @@ impl SurfaceContact {
                 touches.resolve(lanes, TOLERANCE, SWEEPS);
                 0.0
             }
-            Some(alpha) => {
-                let fields = Fields::of_step(&view);
-                // Fields that move together have one velocity and one increment.
-                let line = |t: &TouchedNode| &fields.lines(t.field)[t.node];
-                touches.resolve_damped(lanes, line, alpha, TOLERANCE, SWEEPS)
-            }
+            Some(alpha) => touches.resolve_damped(lanes, alpha, TOLERANCE, SWEEPS),
         };
         for bodies in &mut self.last {
             bodies.fill([0.0; 3]);
@@ -301,21 +302,19 @@ impl SurfaceContact {
         self.last_kick = nodal.kick;
         self.pushed.clear();
         let mut by_bodies = 0;
-        for (touch, place) in touches.list.iter().zip(&*places) {
+        for (touch, key) in touches.list.iter().zip(&*keys) {
             if let (true, held) = touch.pushes_and_holds() {
                 self.pushed.push(PushedParticle {
-                    key: key(place),
+                    key: *key,
                     held,
                     impulse: touch.normal_impulse,
                 });
-                by_bodies += usize::from(matches!(
-                    self.rigid[place.surface],
-                    RigidObstacle::Driven(_)
-                ));
+                by_bodies +=
+                    usize::from(matches!(self.rigid[key.surface], RigidObstacle::Driven(_)));
             }
             let impulse = touch.impulse();
             for axis in 0..3 {
-                self.last[place.surface][place.set][axis] += impulse[axis];
+                self.last[key.surface][key.set][axis] += impulse[axis];
             }
         }
         let mut power = 0.0;
@@ -329,11 +328,9 @@ impl SurfaceContact {
                 }
             }
         }
-        let fields = Fields::of_step(&view);
-        let line = |t: &TouchedNode| &fields.lines(t.field)[t.node];
         let (mut friction, mut impact) = (0.0, 0.0);
         for touch in &touches.list {
-            let [across, along] = touches.taken(touch, line);
+            let [across, along] = touches.taken(touch);
             friction += across;
             impact += along;
         }
@@ -365,13 +362,10 @@ impl SurfaceContact {
             (nodal, lane),
             &mut self.mapped,
         )?;
-        let TouchingParticles {
-            touches, places, ..
-        } = &mut self.mapped;
+        let TouchingParticles { touches, keys, .. } = &mut self.mapped;
         let pushed = &self.pushed;
-        let mut held = places.iter().map(|place| {
-            let id = view.particles[place.set].id[place.p];
-            let found = PushedParticle::find(pushed, (place.surface, place.set, id));
+        let mut held = keys.iter().map(|key| {
+            let found = PushedParticle::find(pushed, *key);
             found.map(|pushed| pushed.held)
         });
         touches.list.retain_mut(|touch| {

@@ -117,19 +117,21 @@ impl NearParticles {
             nearest.map(|nearest| nearest.triangle)
         };
         let team = view.team();
+        let own = view.own_particles(set);
         team.fill(
-            0..particles.len(),
+            own.clone(),
             ItemCost::Search,
             triangle,
             &None,
             &mut self.nearest,
         );
-        let found = (0..particles.len()).filter(|&p| self.nearest[p].is_some());
+        let place = |p: usize| p - own.start;
+        let found = own.clone().filter(|&p| self.nearest[place(p)].is_some());
         self.by_id.clear();
         self.by_id.extend(found.map(|p| (particles.id[p], p)));
         self.by_id.sort_unstable();
         for &(_, p) in &self.by_id {
-            if let Some(triangle) = self.nearest[p] {
+            if let Some(triangle) = self.nearest[place(p)] {
                 self.particles.push(ParticlePlace { surface, set, p });
                 self.triangles.push(triangle);
             }

@@ -53,10 +53,8 @@ impl SurfaceContact {
         if self.last_kick <= 0.0 {
             return;
         }
-        let TouchingParticles {
-            touches, places, ..
-        } = &self.trial;
-        for (touch, place) in touches.list.iter().zip(places) {
+        let TouchingParticles { touches, keys, .. } = &self.trial;
+        for (touch, key) in touches.list.iter().zip(keys) {
             let force = touch.impulse().map(|i| i / self.last_kick);
             let gap = touch.gap;
             let mut give = |body: usize, node: usize, force: Vector| {
@@ -71,9 +69,9 @@ impl SurfaceContact {
             let nodes = || weights.iter().map(|(n, w)| (touches.nodes[*n].node, w));
             for (node, w) in nodes() {
                 let share = std::array::from_fn(|axis| w[axis] * force[axis]);
-                give(place.set, node, share);
+                give(key.set, node, share);
             }
-            let RigidObstacle::Driven(driven) = &self.rigid[place.surface] else {
+            let RigidObstacle::Driven(driven) = &self.rigid[key.surface] else {
                 continue;
             };
             let Some(field) = grid.own_field(driven.body) else {

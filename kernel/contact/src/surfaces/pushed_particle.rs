@@ -2,11 +2,18 @@
 
 use proctor_kernel::model::{CycleSettings, StressScheme};
 
+/// A particle and a surface that it touches: the place of the surface, the set and the identifier of the particle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct TouchKey {
+    pub(super) surface: usize,
+    pub(super) set: usize,
+    pub(super) id: u64,
+}
+
 /// A particle that a surface pushes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PushedParticle {
-    /// Places of the surface and of the set, and the identifier of the particle.
-    pub(super) key: (usize, usize, u64),
+    pub(super) key: TouchKey,
     /// True where friction holds it.
     pub(super) held: bool,
     /// Normal impulse of the last step \[N s\].
@@ -23,21 +30,25 @@ impl PushedParticle {
 
     /// The particle in numbers.
     pub(super) fn saved(&self) -> [f64; Self::SAVED] {
-        let (surface, set, id) = self.key;
+        let TouchKey { surface, set, id } = self.key;
         [surface as f64, set as f64, id as f64, self.impulse]
     }
 
     /// The particle of these numbers. Friction is found anew before it is asked.
     pub(super) fn restored(&[surface, set, id, impulse]: &[f64; Self::SAVED]) -> Self {
         Self {
-            key: (surface as usize, set as usize, id as u64),
+            key: TouchKey {
+                surface: surface as usize,
+                set: set as usize,
+                id: id as u64,
+            },
             held: false,
             impulse,
         }
     }
 
     /// The one of a key in a list.
-    pub(super) fn find(list: &[Self], key: (usize, usize, u64)) -> Option<&Self> {
+    pub(super) fn find(list: &[Self], key: TouchKey) -> Option<&Self> {
         let found = list.binary_search_by_key(&key, |pushed| pushed.key);
         found.ok().map(|at| &list[at])
     }

@@ -110,8 +110,11 @@ fn add(
             return place;
         }
     }
+    let line = &fields.lines(lowest)[node];
     nodes.push(TouchedNode {
         node,
+        velocity: [line[1], line[2], line[3]],
+        increment: [line[4], line[5], line[6]],
         mobility: mobility(shape, nodal, node, fields, (lowest, &others[start..])),
         change: [0.0; 4],
         field: lowest,

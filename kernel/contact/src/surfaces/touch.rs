@@ -44,6 +44,10 @@ pub struct TouchedNode {
     pub others: Range<usize>,
     /// 1/m per axis \[1/kg\], and nothing; zero along axes in which a boundary prescribes the velocity.
     pub mobility: [f64; 4],
+    /// Velocity after the equation of motion \[m/s\].
+    pub velocity: [f64; 3],
+    /// The part of it that the equation of motion gave \[m/s\].
+    pub increment: [f64; 3],
     /// Change of velocity so far \[m/s\], and nothing.
     pub change: [f64; 4],
 }
@@ -136,20 +140,14 @@ impl SurfaceTouches {
     }
 
     /// Energy that the impulse of a touch takes from the nodes \[J\], by friction and along the normal: the
-    /// impulse times the mean of the velocities over the surface before and after the step, with the sign turned. `line` gives
-    /// a node after the solve, before the changes are applied.
+    /// impulse times the mean of the velocities over the surface before and after the step, with the sign turned.
     #[must_use]
-    pub fn taken<'a>(
-        &self,
-        touch: &SurfaceTouch,
-        line: impl Fn(&TouchedNode) -> &'a Line,
-    ) -> [f64; 2] {
+    pub fn taken(&self, touch: &SurfaceTouch) -> [f64; 2] {
         let mut mean = touch.relative;
         for (n, w) in &self.weights[touch.weights.clone()] {
             let node = &self.nodes[*n];
-            let line = line(node);
             for axis in 0..3 {
-                mean[axis] += w[axis] * (0.5 * (node.change[axis] - line[4 + axis]));
+                mean[axis] += w[axis] * (0.5 * (node.change[axis] - node.increment[axis]));
             }
         }
         [
@@ -244,19 +242,18 @@ impl SurfaceTouches {
     /// balances: damped without it, a body at rest on a surface would be carried by its damping, by a share alpha of its
     /// weight. So the damping of the touched nodes is taken back, the contact found, and both done again together.
     ///
-    /// `line` gives a node after the damped solve. Returns what damping takes by this beyond what it took before \[J\].
-    pub fn resolve_damped<'a>(
+    /// Returns what damping takes by this beyond what it took before \[J\].
+    pub fn resolve_damped(
         &mut self,
         lanes: SelectedLanes,
-        line: impl Fn(&TouchedNode) -> &'a Line,
         alpha: f64,
         tolerance: f64,
         most: usize,
     ) -> f64 {
         // Increment and velocity before it along an axis, where the node is free and damping had a direction.
         let damped = |node: &TouchedNode, axis: usize| {
-            let line = line(node);
-            let (dv, before) = (line[4 + axis], line[1 + axis] - line[4 + axis]);
+            let dv = node.increment[axis];
+            let before = node.velocity[axis] - dv;
             (node.mobility[axis] > 0.0 && before != 0.0).then_some((dv, before))
         };
         let undamped = |dv: f64, before: f64| {

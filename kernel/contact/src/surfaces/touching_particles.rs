@@ -6,21 +6,23 @@ use super::gap::gap_to;
 use super::near_particles::{NearParticles, ParticlePlace};
 use super::obstacle::RigidObstacle;
 use super::particle_ellipsoid::{half_lengths, touching_point};
+use super::pushed_particle::TouchKey;
 use super::reached_nodes::{NodeNumbers, ReachedNodes};
+use super::shared_touches;
 use crate::geometry::surface::NearestPoint;
 use crate::pairs::Tunnelling;
 use crate::surfaces::touch::{SurfaceTouch, SurfaceTouches};
 use proctor_geometry::team::ItemCost;
 use proctor_kernel::model::Vector;
 use proctor_kernel::simulation::{
-    InteractionError, NodalConditions, StepView, node_weights_touching,
+    InteractionError, NodalConditions, ParticleAt, StepView, node_weights_touching,
 };
 
 /// Particles that touch, with where they belong.
 #[derive(Clone, Debug, Default)]
 pub(super) struct TouchingParticles {
     pub(super) touches: SurfaceTouches,
-    pub(super) places: Vec<ParticlePlace>,
+    pub(super) keys: Vec<TouchKey>,
     known: NodeNumbers,
     /// Gap and nearest point of each particle near a surface.
     gaps: Vec<Option<(f64, NearestPoint)>>,
@@ -38,11 +40,11 @@ pub(super) fn touches(
 ) -> Result<(), InteractionError> {
     let TouchingParticles {
         touches,
-        places,
+        keys,
         known,
         gaps,
     } = found;
-    places.clear();
+    keys.clear();
     near.find(view, rigid, nodal);
     let fields = Fields::of_step(view);
     let mut reached = known.begin(touches);
@@ -56,11 +58,17 @@ pub(super) fn touches(
     };
     let team = view.team();
     team.fill(0..near.particles.len(), ItemCost::Search, gap, &None, gaps);
+    let mut fault = None;
     for (i, place) in near.particles.iter().enumerate() {
         let Some(gap) = gaps[i] else {
             continue;
         };
         near.triangles[i] = gap.1.triangle;
+        let key = TouchKey {
+            surface: place.surface,
+            set: place.set,
+            id: view.particles[place.set].id[place.p],
+        };
         let (rigid, v_s) = (&rigid[place.surface], &near.now[place.surface].velocity);
         let touch = touch(
             view,
@@ -70,13 +78,74 @@ pub(super) fn touches(
             (nodal, lane),
             &fields,
             &mut reached,
-        )?;
+        );
+        let touch = match touch {
+            Ok(touch) => touch,
+            Err(error) => {
+                fault = Some((key, error));
+                break;
+            }
+        };
         if let Some(touch) = touch {
             reached.touches.list.push(touch);
-            places.push(*place);
+            keys.push(key);
         }
     }
-    Ok(())
+    let fault = match view.ranks {
+        None => fault,
+        Some(ranks) => shared_touches::share(ranks, (keys, touches), fault.as_ref()),
+    };
+    match fault {
+        None => Ok(()),
+        Some((key, fault)) => Err(fault.error(&rigid[key.surface], view)),
+    }
+}
+
+/// A particle that is behind an obstacle, or would go through it in this step.
+pub(super) struct TouchFault {
+    pub(super) particle: ParticleAt,
+    /// The point of the obstacle that is nearest \[m\].
+    pub(super) point: Vector,
+    /// Approach in the step \[m\]; `None` for one that is behind it.
+    pub(super) approach: Option<f64>,
+    /// Distance behind the obstacle, or that at which the particle would touch \[m\].
+    pub(super) distance: f64,
+}
+
+impl TouchFault {
+    /// The error of the step.
+    fn error(self, rigid: &RigidObstacle, view: &StepView<'_>) -> InteractionError {
+        let Self {
+            particle,
+            point,
+            approach,
+            distance,
+        } = self;
+        match (rigid, approach) {
+            (RigidObstacle::Surface(surface), None) => SurfaceContactError::ThroughSurface {
+                particle,
+                surface: surface.given.name.clone(),
+                depth: distance,
+            }
+            .into(),
+            (RigidObstacle::Surface(surface), Some(approach)) => {
+                SurfaceContactError::TooFastForSurface {
+                    particle,
+                    surface: surface.given.name.clone(),
+                    approach,
+                    threshold: distance,
+                }
+                .into()
+            }
+            (RigidObstacle::Driven(driven), approach) => Tunnelling {
+                bodies: [driven.pair.master, driven.pair.slave].map(|b| view.bodies[b].id),
+                position: Some(point),
+                approach: approach.unwrap_or(0.0),
+                distance,
+            }
+            .into(),
+        }
+    }
 }
 
 /// The touch of one particle with this gap, if it is within the threshold; `v_s` is the velocity of the surface \[m/s\].
@@ -88,15 +157,15 @@ fn touch(
     (nodal, lane): (&NodalConditions, usize),
     fields: &Fields<'_>,
     reached: &mut ReachedNodes<'_>,
-) -> Result<Option<SurfaceTouch>, InteractionError> {
+) -> Result<Option<SurfaceTouch>, TouchFault> {
     let ParticlePlace { set, p, .. } = place;
-    if let (RigidObstacle::Surface(surface), true) = (rigid, nearest.distance < 0.0) {
-        return Err(SurfaceContactError::ThroughSurface {
+    if let (RigidObstacle::Surface(_), true) = (rigid, nearest.distance < 0.0) {
+        return Err(TouchFault {
             particle: view.particle_at(set, p),
-            surface: surface.given.name.clone(),
-            depth: -nearest.distance,
-        }
-        .into());
+            point: nearest.point,
+            approach: None,
+            distance: -nearest.distance,
+        });
     }
     let shape = &view.grid.shape;
     let (particles, body) = (&view.particles[set], &view.bodies[set]);
@@ -118,21 +187,11 @@ fn touch(
             .sum::<f64>();
     let threshold = rigid.threshold(&normal);
     if approach > gap.max(0.0) && approach > threshold && !rigid.is_bonded() {
-        return Err(match rigid {
-            RigidObstacle::Surface(surface) => SurfaceContactError::TooFastForSurface {
-                particle: view.particle_at(set, p),
-                surface: surface.given.name.clone(),
-                approach,
-                threshold,
-            }
-            .into(),
-            RigidObstacle::Driven(driven) => Tunnelling {
-                bodies: [driven.pair.master, driven.pair.slave].map(|b| view.bodies[b].id),
-                position: Some(nearest.point),
-                approach,
-                distance: threshold,
-            }
-            .into(),
+        return Err(TouchFault {
+            particle: view.particle_at(set, p),
+            point: nearest.point,
+            approach: Some(approach),
+            distance: threshold,
         });
     }
     if !rigid.touches(gap, &normal) {

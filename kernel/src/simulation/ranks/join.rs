@@ -135,6 +135,22 @@ impl Cycle {
         all
     }
 
+    /// The sums of the planes of all ranks, in their order; `None` where no ranks share the simulation.
+    pub(in crate::simulation) fn join_planes<'a>(
+        &self,
+        planes: impl Iterator<Item = &'a PlaneSums>,
+    ) -> Option<Vec<PlaneSums>> {
+        let ranks = self.ranks()?;
+        let words: Vec<u64> = planes
+            .flat_map(PlaneSums::numbers)
+            .map(f64::to_bits)
+            .collect();
+        let all = ranks.all_gather(&words);
+        let numbers = all.iter().flat_map(|words| words.as_chunks().0);
+        let planes = numbers.map(|numbers| PlaneSums::from_numbers(numbers.map(f64::from_bits)));
+        Some(planes.collect())
+    }
+
     /// The maxima over the particles of each body that moves freely, after a G2P pass, with the fault of each body; a fault of a
     /// ghost is that of its owner.
     pub(in crate::simulation) fn join_maxima(&mut self, bodies: &mut [(usize, ParticleMaxima)]) {

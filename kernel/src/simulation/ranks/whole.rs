@@ -144,6 +144,10 @@ impl Cycle {
         words.push(0);
         for one in self.interactions() {
             one.nodal_forces(&self.work.grid, &mut |one| {
+                // Some interactions know the forces at the nodes of all ranks.
+                if !self.owns(one.node) {
+                    return;
+                }
                 words[count] += 1;
                 let [x, y, z] = one.force;
                 words.extend([one.body as u64, one.node as u64]);
