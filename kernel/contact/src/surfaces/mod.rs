@@ -13,6 +13,7 @@ mod reached_nodes;
 mod shared_touches;
 #[doc(hidden)]
 pub mod touch;
+mod touch_fault;
 mod touching_particles;
 
 use crate::NOT_LOCAL;

@@ -1,7 +1,7 @@
 //! Touches of all ranks: sweeps go over all particles that touch, so each rank has them all and finds the same impulses.
 
 use super::pushed_particle::TouchKey;
-use super::touching_particles::TouchFault;
+use super::touch_fault::TouchFault;
 use crate::surfaces::touch::{SurfaceTouch, SurfaceTouches, TouchedNode};
 use proctor_kernel::ranks::{Ranks, Words};
 use proctor_kernel::simulation::ParticleAt;

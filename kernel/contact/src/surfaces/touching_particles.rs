@@ -1,6 +1,5 @@
 //! Particles that touch a surface in a step: the search for them.
 
-use super::error::SurfaceContactError;
 use super::fields::Fields;
 use super::gap::gap_to;
 use super::near_particles::{NearParticles, ParticlePlace};
@@ -9,13 +8,13 @@ use super::particle_ellipsoid::{half_lengths, touching_point};
 use super::pushed_particle::TouchKey;
 use super::reached_nodes::{NodeNumbers, ReachedNodes};
 use super::shared_touches;
+use super::touch_fault::TouchFault;
 use crate::geometry::surface::NearestPoint;
-use crate::pairs::Tunnelling;
 use crate::surfaces::touch::{SurfaceTouch, SurfaceTouches};
 use proctor_geometry::team::ItemCost;
 use proctor_kernel::model::Vector;
 use proctor_kernel::simulation::{
-    InteractionError, NodalConditions, ParticleAt, StepView, node_weights_touching,
+    InteractionError, NodalConditions, StepView, node_weights_touching,
 };
 
 /// Particles that touch, with where they belong.
@@ -98,53 +97,6 @@ pub(super) fn touches(
     match fault {
         None => Ok(()),
         Some((key, fault)) => Err(fault.error(&rigid[key.surface], view)),
-    }
-}
-
-/// A particle that is behind an obstacle, or would go through it in this step.
-pub(super) struct TouchFault {
-    pub(super) particle: ParticleAt,
-    /// The point of the obstacle that is nearest \[m\].
-    pub(super) point: Vector,
-    /// Approach in the step \[m\]; `None` for one that is behind it.
-    pub(super) approach: Option<f64>,
-    /// Distance behind the obstacle, or that at which the particle would touch \[m\].
-    pub(super) distance: f64,
-}
-
-impl TouchFault {
-    /// The error of the step.
-    fn error(self, rigid: &RigidObstacle, view: &StepView<'_>) -> InteractionError {
-        let Self {
-            particle,
-            point,
-            approach,
-            distance,
-        } = self;
-        match (rigid, approach) {
-            (RigidObstacle::Surface(surface), None) => SurfaceContactError::ThroughSurface {
-                particle,
-                surface: surface.given.name.clone(),
-                depth: distance,
-            }
-            .into(),
-            (RigidObstacle::Surface(surface), Some(approach)) => {
-                SurfaceContactError::TooFastForSurface {
-                    particle,
-                    surface: surface.given.name.clone(),
-                    approach,
-                    threshold: distance,
-                }
-                .into()
-            }
-            (RigidObstacle::Driven(driven), approach) => Tunnelling {
-                bodies: [driven.pair.master, driven.pair.slave].map(|b| view.bodies[b].id),
-                position: Some(point),
-                approach: approach.unwrap_or(0.0),
-                distance,
-            }
-            .into(),
-        }
     }
 }
 
