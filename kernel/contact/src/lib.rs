@@ -36,7 +36,11 @@ use proctor_kernel::plan::PlanEntries;
 use proctor_kernel::simulation::{BodyRun, Interactions, SetupError};
 
 /// Kinds of contact that ranks do not share ([`Interaction::not_local`](proctor_kernel::simulation::Interaction::not_local)).
-pub const NOT_LOCAL: [&str; 2] = ["driven shapes", "mortar contact"];
+pub const NOT_LOCAL: [&str; 3] = [
+    "driven shapes",
+    "mortar contact",
+    "driven bodies beside rigid surfaces",
+];
 
 /// Kinds of contact, in the order in which they act.
 const ALL: &[ContactType] = &[grid::GRID, mortar::MORTAR, surfaces::SURFACES];

@@ -72,3 +72,18 @@ fn ranks_stop_for_the_same_surface() {
         "{error}"
     );
 }
+
+/// A rank does not know all nodes beside its own that a driven body holds.
+#[test]
+fn a_driven_body_beside_a_surface_is_refused() {
+    let mut scene = on_a_slope(0.0);
+    scene.bodies[1].motion = Some([1.0, 0.0, 0.0].into());
+    let rank = super::threads::ranks(2, None).swap_remove(0);
+    let mut simulation = super::start(&scene, 1, &super::drifting(&scene, 1.0));
+    let refused = simulation.share_among(Arc::new(rank));
+    let refused = refused.expect_err("not local").to_string();
+    assert!(
+        refused.contains("driven bodies beside rigid surfaces"),
+        "{refused}"
+    );
+}

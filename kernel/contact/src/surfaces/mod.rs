@@ -55,6 +55,8 @@ pub struct SurfaceContact {
     given: PairValues,
     /// The obstacle that pushes.
     rigid: Vec<RigidObstacle>,
+    /// True where bodies move as prescribed.
+    drives_bodies: bool,
     near: NearParticles,
     /// Touches of the last equation of motion, and those of a second mapping.
     trial: TouchingParticles,
@@ -85,6 +87,7 @@ impl SurfaceContact {
         Some(Ok(Box::new(Self {
             given,
             rigid,
+            drives_bodies: settings.drives_bodies,
             near: NearParticles::default(),
             trial: TouchingParticles::default(),
             mapped: TouchingParticles::default(),
@@ -98,10 +101,13 @@ impl SurfaceContact {
 
 impl Interaction for SurfaceContact {
     /// A surface moves as prescribed wherever particles are. The place of a driven body is that of one of its particles, which other
-    /// ranks do not hold.
+    /// ranks do not hold, and a rank does not know all nodes beside its own that a driven body holds.
     fn not_local(&self) -> Option<&'static str> {
         let is_driven = |one: &RigidObstacle| matches!(one, RigidObstacle::Driven(_));
-        self.rigid.iter().any(is_driven).then_some(NOT_LOCAL[0])
+        if self.rigid.iter().any(is_driven) {
+            return Some(NOT_LOCAL[0]);
+        }
+        self.drives_bodies.then_some(NOT_LOCAL[2])
     }
 
     fn settles_across_ranks(&self) -> bool {
