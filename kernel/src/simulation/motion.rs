@@ -129,6 +129,7 @@ pub(super) fn sums_after(slab: &mut Slab<'_>, context: &StepContext<'_>, sums: &
 /// After the first mapping of a step: what lies beyond the walls folded back, and velocities from momenta.
 pub(super) fn fold(slab: &mut Slab<'_>, context: &StepContext<'_>) {
     for field in &mut slab.fields {
+        water::fold_open(field, context.walls_of(field.owner), 0..8);
         field.planes.fold(context.walls_of(field.owner), true, true);
         field.planes.velocities();
     }
@@ -190,6 +191,7 @@ pub(super) fn solve_remapped(
             planes.constrain_remapped(&context.walls);
         } else {
             context.mapping.run_field(field);
+            water::fold_open(field, context.walls_of(field.owner), 4..7);
             field.planes.fold_remapped(context.walls_of(field.owner));
             field.planes.remapped_velocities();
             remap_conditions(slab, number, context);

@@ -49,12 +49,19 @@ impl Wall {
     #[must_use]
     #[inline]
     pub fn layers(&self, shape: &GridShape) -> (usize, usize, usize) {
-        if self.side == 0 {
-            (GHOSTS_BELOW - 1, GHOSTS_BELOW, GHOSTS_BELOW + 1)
-        } else {
-            let plane = GHOSTS_BELOW + shape.cells[self.axis];
-            (plane + 1, plane, plane - 1)
-        }
+        plane_layers(shape, self.axis, self.side)
+    }
+}
+
+/// Storage indices along the normal of a plane of the mesh: beyond it, in it, before it.
+#[must_use]
+#[inline]
+pub fn plane_layers(shape: &GridShape, axis: usize, side: usize) -> (usize, usize, usize) {
+    if side == 0 {
+        (GHOSTS_BELOW - 1, GHOSTS_BELOW, GHOSTS_BELOW + 1)
+    } else {
+        let plane = GHOSTS_BELOW + shape.cells[axis];
+        (plane + 1, plane, plane - 1)
     }
 }
 

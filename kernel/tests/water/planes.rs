@@ -1,13 +1,14 @@
 //! Planes at which the pressure of the water is given, and the water table.
 
 use super::support::{GRAVITY, column, strip, water};
-use crate::common::{run, simulation};
+use crate::common::{IDENTITY, body, cuboid, run, simulation, simulation_from};
 use proctor_kernel::layout::Layout;
 use proctor_scene::plan::{PlanOptions, plan};
-use proctor_scene::simulation::Simulation;
+use proctor_scene::simulation::{InitialState, Simulation};
 use proctor_scene::{
-    History, InitialPressure, PlaneCondition, PlanePressure, Scene, StressScheme, Traction,
+    History, InitialPressure, PlaneCondition, PlanePressure, Scene, StressScheme, Traction, Vector,
 };
+use std::sync::Arc;
 
 const GIVEN: f64 = 1e3; // Pressure [Pa]
 const CELLS: usize = 8;
@@ -65,6 +66,43 @@ fn the_pressure_that_is_given_rests() {
                 (pressure / GIVEN - 1.0).abs() < 1e-9,
                 "free {free}: {pressure}"
             );
+        }
+    }
+}
+
+/// Soil that slides by less than anything through sides at which the pressure is the one that it has: the domains that reach beyond a
+/// side and those that end before it by as much change nothing, in each scheme.
+#[test]
+fn the_pressure_rests_where_soil_slides_through_its_plane() {
+    for scheme in [StressScheme::Usl, StressScheme::Musl] {
+        let mut scene = under_pressure(1e-4);
+        scene.scheme = scheme;
+        scene.mesh.cells = [2, CELLS, 1];
+        scene.mesh.planes[0] = [PlaneCondition::Antisymmetric; 2];
+        scene.mesh.planes[1] = [PlaneCondition::Sliding; 2];
+        scene.water_planes[0] = [PlaneCondition::Free; 2];
+        scene.water_planes[1] = [PlaneCondition::Sliding; 2];
+        let given = || Some(PlanePressure::Uniform(GIVEN));
+        scene.water_pressures = [[given(), given()], [None, None], [None, None]];
+        scene.initial_pressures = vec![InitialPressure::Material {
+            id: 1,
+            pressure: GIVEN,
+        }];
+        scene.bodies = vec![body(1, cuboid([0.0; 3], [2.0 / CELLS as f64, 1.0, 0.0]))];
+        // The sides bear what stands at the start.
+        let moving = |_: &Vector| InitialState {
+            velocity: [1e-6, 0.0, 0.0],
+            velocity_gradient: [[0.0; 3]; 3],
+            stress: [GIVEN, 0.0, 0.0, 0.0, 0.0, 0.0],
+            deformation: IDENTITY,
+        };
+        let mut simulation = simulation_from(&scene, Arc::new(moving));
+        run(&mut simulation, 100);
+        for p in 0..simulation.sets()[0].len() {
+            let (_, _, pressure) = state(&simulation, p);
+            let off = (pressure / GIVEN - 1.0).abs();
+            // The way is 3e-8 cells, and a side lacks twice that.
+            assert!(off < 1e-6, "{scheme:?}: {off:e}");
         }
     }
 }

@@ -1,8 +1,9 @@
 //! Nodes to the pore water of particles: its velocity and the pressure.
 
 use super::nodes::hand_over;
+use super::open::reach_beyond;
 use crate::layout::Layout;
-use crate::model::{CycleSettings, POROSITIES, StressScheme};
+use crate::model::{CycleSettings, POROSITIES, PlaneCondition, StressScheme};
 use crate::particles::ParticleSet;
 use crate::simulation::Cycle;
 use crate::simulation::fields::shares;
@@ -29,12 +30,15 @@ impl Cycle {
         let pic = self.model.settings.transfer.pic_fraction;
         let share = if kicks { pic } else { 0.0 };
         let lane = compress.map(|(_, lane)| lane);
-        if share != 0.0 || lane.is_some() {
-            self.work
-                .grid
-                .visit(|mut slab| hand_over(&mut slab, share, lane));
-            self.exchange_planes();
-        }
+        let planes = &self.model.settings.water_planes;
+        let is_open = |axis: usize, side: usize| {
+            planes.is_some_and(|planes| planes[axis][side] == PlaneCondition::Free)
+        };
+        self.work.grid.visit(|mut slab| {
+            hand_over(&mut slab, share, lane);
+            reach_beyond(&mut slab, is_open);
+        });
+        self.exchange_planes();
         let grid = &mut self.work.grid;
         let task = WaterTask {
             kick: kicks.then_some(1.0 - pic),
@@ -99,6 +103,5 @@ impl Cycle {
 /// Nodes of the water that ranks send each other once more in a step, since particles gather mean velocities and increments from them:
 /// the number of times.
 pub(in crate::simulation) fn exchanges_per_step(settings: &CycleSettings) -> usize {
-    let share = settings.transfer.pic_fraction != 0.0;
-    1 + usize::from(settings.scheme == StressScheme::Musl && share)
+    1 + usize::from(settings.scheme == StressScheme::Musl)
 }

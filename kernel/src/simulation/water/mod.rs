@@ -14,6 +14,8 @@
 mod gather;
 mod measure;
 mod nodes;
+mod open;
 
 pub(super) use gather::exchanges_per_step;
 pub(super) use nodes::{drag, porosity_at, share_beyond, split};
+pub(super) use open::fold_open;
