@@ -94,6 +94,38 @@ fn a_block_that_the_water_carries_rests() {
     }
 }
 
+/// The same block on smooth ground: its buoyancy comes back from beyond the plane as its weight does.
+#[test]
+fn a_block_that_the_water_carries_rests_on_a_plane() {
+    for weighting in WEIGHTINGS {
+        for ends in [0, 1] {
+            let mut scene = empty(Dimension::Two, [5, 8, 1], 0.125);
+            scene.weighting = weighting;
+            scene.materials[0].density = WATER;
+            // Its base or its top lies in a plane.
+            let at = [0.0, 0.5][ends];
+            scene.mesh.planes[1] = [PlaneCondition::Free; 2];
+            scene.mesh.planes[1][ends] = PlaneCondition::Sliding;
+            scene.gravity = [0.0, -G, 0.0];
+            scene.bodies = vec![body(1, cuboid([0.125, at, 0.0], [0.375, at + 0.5, 0.0]))];
+            scene.bodies[0].initial_stress = InitialStress::AtRest {
+                ratio: 1.0,
+                level: 2.0,
+                surcharge: 0.0,
+            };
+            scene.standing_waters = vec![standing([2.0, 0.0, 0.0])];
+            let mut simulation = simulation(&scene);
+            run(&mut simulation, 500);
+            let set = &simulation.sets()[0];
+            for p in 0..set.len() {
+                for v in set.velocity(p) {
+                    assert!(v.abs() < 1e-11, "{weighting:?} {ends}: {v:e}");
+                }
+            }
+        }
+    }
+}
+
 /// The same block beside a smooth plane: what functions that reach beyond the plane carry there comes back to the nodes inside, of the
 /// water as of the stress and the weight.
 #[test]

@@ -28,7 +28,7 @@ use crate::stage::solve::{EmptyNode, PlaneSums};
 use crate::weights::Family;
 use smallvec::SmallVec;
 use std::sync::Arc;
-use sums::{NodeSums, half_length};
+use sums::{Images, NodeSums, half_length};
 
 /// Standing water.
 pub(super) const STANDING_WATER: ConditionType = ConditionType {
@@ -52,8 +52,8 @@ struct StandingWaters {
     gravity: (usize, f64),
     /// True where forces of mean stresses are mapped by means over cells.
     averaged: bool,
-    /// Axes along which the image beyond each boundary plane is odd; `None` for a plane without one.
-    images: [[Option<[bool; 3]>; 2]; 3],
+    /// The images beyond the boundary planes.
+    images: Images,
 }
 
 fn of(settings: &CycleSettings, _: &GridShape) -> Option<ConditionResult> {
@@ -98,14 +98,14 @@ impl Condition for StandingWaters {
             if field.owner == Owner::Water || !is_pressed {
                 continue;
             }
-            let mut all = NodeSums::of(&grid.shape, &field.rows, pressed);
+            let mut all = NodeSums::of(&grid.shape, &field.rows, pressed, &self.images);
             view.team().each(all.of_slabs(&grid.slabs), |mut sums| {
                 for (index, body) in bodies() {
                     let acting = pressures.iter().filter(|one| one.acts_on(body.id));
                     self.press(view, index, &acting.collect(), &mut sums);
                 }
             });
-            all.fold(&self.images);
+            all.fold();
         }
     }
 

@@ -5,6 +5,7 @@ use crate::model::Vector;
 use crate::particles::ParticleSet;
 use crate::simulation::context::FieldForces;
 use crate::simulation::values::BodyRun;
+use crate::stage::solve::plane_layers;
 use crate::weights::axis_weights_at;
 use std::ops::Range;
 
@@ -18,7 +19,11 @@ pub(super) struct NodeSums<'a> {
     /// Place of the first node of these planes.
     first: usize,
     forces: &'a mut [Vector],
+    images: &'a Images,
 }
+
+/// For each boundary plane the axes along which the image beyond it is odd; `None` for a plane without one.
+pub(super) type Images = [[Option<[bool; 3]>; 2]; 3];
 
 impl<'a> NodeSums<'a> {
     /// Those of all planes, which are zero.
@@ -26,6 +31,7 @@ impl<'a> NodeSums<'a> {
         shape: &'a GridShape,
         rows: &'a ActiveRows,
         into: &'a mut FieldForces,
+        images: &'a Images,
     ) -> Self {
         let FieldForces { starts, forces } = into;
         starts.clear();
@@ -46,6 +52,7 @@ impl<'a> NodeSums<'a> {
             starts,
             first: 0,
             forces,
+            images,
         }
     }
 
@@ -59,9 +66,10 @@ impl<'a> NodeSums<'a> {
             rows,
             starts,
             forces,
+            images,
             ..
         } = self;
-        let (shape, rows, starts) = (*shape, *rows, *starts);
+        let (shape, rows, starts, images) = (*shape, *rows, *starts, *images);
         let start = move |plane: usize| starts[plane * shape.nodes[1]];
         let mut first = slabs.first().map_or(0, |slab| start(slab.start));
         let mut rest = &mut forces[first..];
@@ -74,6 +82,7 @@ impl<'a> NodeSums<'a> {
                 starts,
                 first,
                 forces: rest.split_off_mut(..count).unwrap_or_default(),
+                images,
             };
             first += count;
             own
@@ -100,7 +109,10 @@ impl<'a> NodeSums<'a> {
         span.contains(&k).then(|| start + k - span.start)
     }
 
-    /// Adds a number times the derivatives of the weights of a particle, and a vector times the weights.
+    /// Adds a number times the derivatives of the weights of a particle, and a vector times the weights. Beyond a boundary plane the
+    /// first goes on as a stress does, whose image is odd along the normal, the second as a weight, whose image is even: with
+    /// the sign of the images here [`NodeSums::fold`] gives both to the nodes inside as the mapping gives them stress and mass. A
+    /// weight `rho g V` beside a buoyancy that were odd would pull at the node inside with twice what lies on the image.
     pub(super) fn add<const N: usize>(
         &mut self,
         set: &ParticleSet,
@@ -128,6 +140,9 @@ impl<'a> NodeSums<'a> {
             slopes[direction] = g.map(|g| g * mapping.inverse_cell[axis]);
             beside[direction] = if averaged { means_over_cells(&g) } else { w };
         }
+        let signs: [[[f64; 3]; N]; 3] = std::array::from_fn(|direction| {
+            std::array::from_fn(|n| self.signs(direction, base[direction] + n))
+        });
         let middle = if shape.axes == 2 { 1 } else { N };
         for i in 0..N {
             for j in 0..middle {
@@ -147,26 +162,36 @@ impl<'a> NodeSums<'a> {
                             of[d][at[d]]
                         };
                         let slope: f64 = (0..3).map(factor).product();
-                        force[axis] += scalar * slope + vector[axis] * weight;
+                        let sign: f64 = (0..3).map(|d| signs[d][at[d]][axis]).product();
+                        force[axis] += scalar * slope + sign * vector[axis] * weight;
                     }
                 }
             }
         }
     }
 
+    /// Minus one for the components of which the image is odd where a layer along a direction of storage lies beyond a plane.
+    fn signs(&self, direction: usize, layer: usize) -> [f64; 3] {
+        let mut signs = [1.0; 3];
+        for axis in (0..self.shape.axes).filter(|axis| self.shape.direction(*axis) == direction) {
+            for (side, odd) in self.images[axis].iter().enumerate() {
+                let (beyond, _, _) = plane_layers(self.shape, axis, side);
+                if let (Some(odd), true) = (odd, layer == beyond) {
+                    signs = odd.map(|odd| if odd { -1.0 } else { 1.0 });
+                }
+            }
+        }
+        signs
+    }
+
     /// Gives what lies on the images beyond boundary planes to the nodes that they mirror.
-    pub(super) fn fold(&mut self, images: &[[Option<[bool; 3]>; 2]; 3]) {
-        let shape = self.shape;
+    pub(super) fn fold(&mut self) {
+        let (shape, images) = (self.shape, self.images);
         for axis in 0..shape.axes {
             for (side, odd) in images[axis].iter().enumerate() {
                 let Some(odd) = odd else { continue };
                 let direction = shape.direction(axis);
-                let plane = GHOSTS_BELOW + side * shape.cells[axis];
-                let (ghost, mirror) = if side == 0 {
-                    (plane - 1, plane + 1)
-                } else {
-                    (plane + 1, plane - 1)
-                };
+                let (ghost, _, mirror) = plane_layers(shape, axis, side);
                 let mut ranges = shape.nodes.map(|count| 0..count);
                 ranges[direction] = ghost..ghost + 1;
                 let [planes, rows, along] = ranges;
