@@ -1,16 +1,21 @@
 //! A column under a load on its drained top, against the exact series with the inertia of both phases.
 
 use super::series::Column;
-use super::support::{column, means, run};
-use proctor_scene::StressScheme;
+use super::support::{column, means, run, strip};
+use crate::common::simulation;
+use proctor_scene::simulation::Simulation;
+use proctor_scene::{DomainUpdate, StressScheme, Weighting};
 
 /// Largest errors of pressure and effective stress over cells, as shares of the undrained pressure and of the load.
 fn errors(of: &Column, k: f64, cells: usize, scheme: StressScheme, time: f64) -> [f64; 2] {
-    let simulation = run(of, k, cells, scheme, time);
+    errors_of(&run(of, k, cells, scheme, time), of, cells, time)
+}
+
+fn errors_of(simulation: &Simulation, of: &Column, cells: usize, time: f64) -> [f64; 2] {
     let exact = of.at(time, 500);
     let h = of.height / cells as f64;
     let mut most = [0.0_f64; 2];
-    for (cell, [p, stress]) in means(&simulation, h, cells).into_iter().enumerate() {
+    for (cell, [p, stress]) in means(simulation, h, cells).into_iter().enumerate() {
         let (low, high) = (cell as f64 * h, (cell + 1) as f64 * h);
         most[0] = most[0].max((p - exact.mean(low, high)).abs() / of.undrained());
         most[1] = most[1].max((stress - exact.mean_stress(low, high)).abs() / of.load);
@@ -33,6 +38,20 @@ fn the_column_follows_the_series_with_order_two() {
         for error in errors(&column(1e-2), 1e-2, 32, scheme, 0.1) {
             assert!(error < 3e-4, "{scheme:?}: {error}");
         }
+    }
+}
+
+/// Domains that follow the skeleton have the column as those that keep their length.
+#[test]
+fn the_column_follows_the_series_with_domains_that_follow() {
+    let (k, cells, time) = (1e-3, 32, 0.1);
+    let of = column(k);
+    let mut scene = strip(&of, k, cells, StressScheme::Usl);
+    scene.weighting = Weighting::ContiguousGimp(DomainUpdate::Stretch);
+    let mut simulation = simulation(&scene);
+    simulation.run_until(time).expect("the step is stable");
+    for error in errors_of(&simulation, &of, cells, time) {
+        assert!(error < 1e-3, "{error}");
     }
 }
 

@@ -6,7 +6,8 @@ use proctor_kernel::layout::Layout;
 use proctor_scene::plan::{PlanOptions, plan};
 use proctor_scene::simulation::{InitialState, Simulation};
 use proctor_scene::{
-    History, InitialPressure, PlaneCondition, PlanePressure, Scene, StressScheme, Traction, Vector,
+    DomainUpdate, History, InitialPressure, PlaneCondition, PlanePressure, Scene, StressScheme,
+    Traction, Vector, Weighting,
 };
 use std::sync::Arc;
 
@@ -74,9 +75,15 @@ fn the_pressure_that_is_given_rests() {
 /// side and those that end before it by as much change nothing, in each scheme.
 #[test]
 fn the_pressure_rests_where_soil_slides_through_its_plane() {
-    for scheme in [StressScheme::Usl, StressScheme::Musl] {
+    let follows = Weighting::ContiguousGimp(DomainUpdate::Stretch);
+    for (scheme, weighting) in [
+        (StressScheme::Usl, Weighting::UniformGimp),
+        (StressScheme::Musl, Weighting::UniformGimp),
+        (StressScheme::Usl, follows),
+    ] {
         let mut scene = under_pressure(1e-4);
         scene.scheme = scheme;
+        scene.weighting = weighting;
         scene.mesh.cells = [2, CELLS, 1];
         scene.mesh.planes[0] = [PlaneCondition::Antisymmetric; 2];
         scene.mesh.planes[1] = [PlaneCondition::Sliding; 2];
@@ -102,7 +109,7 @@ fn the_pressure_rests_where_soil_slides_through_its_plane() {
             let (_, _, pressure) = state(&simulation, p);
             let off = (pressure / GIVEN - 1.0).abs();
             // The way is 3e-8 cells, and a side lacks twice that.
-            assert!(off < 1e-6, "{scheme:?}: {off:e}");
+            assert!(off < 1e-6, "{scheme:?} {weighting:?}: {off:e}");
         }
     }
 }

@@ -215,8 +215,16 @@ fn check_method(scene: &Scene, problems: &mut Collector) {
     refuse("stress_scheme_update", usf, "USF", "USL or MUSL");
     let flip = scene.transfer.kind == TransferKind::Flip;
     refuse("transfer", !flip, "an affine transfer", "FLIP");
-    let uniform = scene.weighting == Weighting::UniformGimp;
-    refuse("shape_function", !uniform, "this function", "GIMP");
+    let domains = matches!(
+        scene.weighting,
+        Weighting::UniformGimp | Weighting::ContiguousGimp(_)
+    );
+    refuse(
+        "shape_function",
+        !domains,
+        "this function",
+        "GIMP or cpGIMP",
+    );
     let damped = scene.damping != Damping::None;
     refuse(
         "damping",
