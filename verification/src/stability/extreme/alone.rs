@@ -41,8 +41,7 @@ impl Falls {
         let cut =
             |v: Vector| -> Vector { std::array::from_fn(|k| if k < axes { v[k] } else { 0.0 }) };
         scene.gravity = cut(GRAVITY);
-        let material = scene.add_material(elastic(YOUNG, 0.3), 1.0);
-        let mut body = scene.add_body(listed([(cut(at), volume)]), material);
+        let mut body = scene.body(listed([(cut(at), volume)]), elastic(YOUNG, 0.3), 1.0);
         (body.velocity, body.particles_per_cell) = (cut(VELOCITY), [1; 3]);
         let mut simulation = start(&scene, &options())?;
         let way = apart(&VELOCITY.map(|v| v * END), &[0.0; 3]);
@@ -58,15 +57,16 @@ impl Falls {
 
     /// Particles of three sizes at some shares of a cell, with each method of some weighting functions.
     fn at(&mut self, shares: &[f64], weightings: &[Weighting]) -> Result<(), RowFault> {
-        for (&weighting, &share) in weightings
+        for (weighting, share) in weightings
             .iter()
             .flat_map(|w| shares.iter().map(move |s| (w, s)))
         {
-            for (scheme, transfer) in SCHEMES.into_iter().flat_map(|s| TRANSFERS.map(|t| (s, t))) {
-                for volume in [1e-6, 0.25, 1.0] {
-                    let scene = open([10, 8]).with_weighting(weighting).with_scheme(scheme);
-                    let scene = scene.with_transfer(Transfer::new(transfer));
-                    self.of(scene, [3.0 + share, 4.0 + 0.5 * share, 0.0], volume)?;
+            for scene in each_scheme(&open([10, 8]), [*weighting]) {
+                for transfer in TRANSFERS {
+                    for volume in [1e-6, 0.25, 1.0] {
+                        let scene = scene.clone().with_transfer(Transfer::new(transfer));
+                        self.of(scene, [3.0 + share, 4.0 + 0.5 * share, 0.0], volume)?;
+                    }
                 }
             }
         }
@@ -102,13 +102,11 @@ fn thin_shell() -> RowVerdict {
         .because("ring and mesh are the same after a quarter turn; places differ by round-off, which the swings carry along");
     let mut kept = Conservation::named("breathing");
     let volume = 0.1 * TAU * RADIUS / COUNT as f64;
-    let ring = listed((0..COUNT).map(|i| {
+    let place = |i: usize| {
         let (sin, cos) = libm::sincos(TAU * (i as f64 + 0.5) / COUNT as f64);
-        (
-            [CENTER[0] + RADIUS * cos, CENTER[1] + RADIUS * sin, 0.0],
-            volume,
-        )
-    }));
+        [CENTER[0] + RADIUS * cos, CENTER[1] + RADIUS * sin, 0.0]
+    };
+    let ring = listed((0..COUNT).map(|i| (place(i), volume)));
     let mut ring = alone([12, 12], ring, elastic(1.0, 0.3));
     ring.bodies[0].particles_per_cell = [1; 3];
     let flies = flying(|_| [0.1, 0.07, 0.0]);

@@ -19,28 +19,22 @@ const LONGEST: f64 = 10.0;
 
 /// The bar with a method, and its start.
 fn bar(weighting: Weighting, scheme: StressScheme) -> Result<Simulation, RowFault> {
-    let half = 0.5 * LENGTH;
-    let mut scene = block(
-        [60, 1],
-        [MIDDLE - half, 0.0],
-        [MIDDLE + half, 1.0],
-        elastic(1.0, 0.0),
-    )
-    .with_weighting(weighting)
-    .with_scheme(scheme);
-    scene.mesh.planes[1] = [PlaneCondition::Sliding; 2];
+    let [left, right] = [-0.5, 0.5].map(|share| MIDDLE + share * LENGTH);
     // Equal steps, a hundred for each stretch by 1.
-    scene.time_step = fixed(0.01 / RATE);
+    let scene = block([60, 1], [left, 0.0], [right, 1.0], elastic(1.0, 0.0))
+        .with_weighting(weighting)
+        .with_scheme(scheme)
+        .between(1)
+        .with_time_step(fixed(0.01 / RATE));
     let stretched = from(|x| moving_along_x(RATE * (x[0] - MIDDLE), RATE));
     start(&scene, &stretched)
 }
 
 /// Places and velocities along the bar, from the left: one of each column of particles \[m, m/s\].
 fn columns(simulation: &Simulation) -> Vec<[f64; 2]> {
-    let set = &simulation.sets()[0];
-    let row = (0..set.len()).filter(|&p| simulation.position(0, p)[1] < 0.5);
+    let row = of_body(simulation, 0).filter(|seen| seen.position[1] < 0.5);
     let mut all: Vec<_> = row
-        .map(|p| [simulation.position(0, p)[0], set.velocity(p)[0]])
+        .map(|seen| [seen.position[0], seen.velocity[0]])
         .collect();
     all.sort_by(|a, b| a[0].total_cmp(&b[0]));
     all

@@ -125,43 +125,38 @@ fn denormals() -> RowVerdict {
 
 /// Places of the particles of a block, with their neighbours in order or not.
 fn places(turned: bool) -> Vec<(Vector, f64)> {
-    let (column, row) = (
-        |k| 3.3 + 0.5 * f64::from(k % 10),
-        |k| 3.4 + 0.5 * f64::from(k / 10),
-    );
+    let place = |k: i32| {
+        [
+            3.3 + 0.5 * f64::from(k % 10),
+            3.4 + 0.5 * f64::from(k / 10),
+            0.0,
+        ]
+    };
     // 37 has no factor with 100 in common: every particle once.
     let number = |k: i32| if turned { (k * 37 + 11) % 100 } else { k };
-    let all = (0..100).map(number);
-    all.map(|k| ([column(k), row(k), 0.0], 0.25)).collect()
+    (0..100).map(|k| (place(number(k)), 0.25)).collect()
 }
 
 /// The state of all particles but for their numbers, in order of their places at the start.
 fn by_place(simulation: &Simulation, places: &[(Vector, f64)]) -> Vec<Vec<u64>> {
-    let seen = particles(simulation);
-    let mut all: Vec<([u64; 3], Vec<u64>)> = seen
-        .iter()
-        .map(|seen| {
-            let place = places[seen.id as usize].0.map(f64::to_bits);
-            (place, seen.numbers().map(f64::to_bits).collect())
-        })
-        .collect();
-    all.sort();
-    all.into_iter().map(|(_, state)| state).collect()
+    let mut seen = particles(simulation);
+    seen.sort_by_key(|seen| places[seen.id as usize].0.map(f64::to_bits));
+    let bits = |seen: &ParticleState| seen.numbers().map(f64::to_bits).collect();
+    seen.iter().map(bits).collect()
 }
 
 fn same() -> RowVerdict {
-    let mut threads = gate("runs on two and three threads with other bits")
-        .none()
-        .because(ORDER);
-    let mut lanes = gate("runs without vector lanes with other bits")
-        .none()
-        .because(ORDER);
-    let mut order = gate("runs of particles in another order with other bits")
-        .none()
-        .because(ORDER);
-    let mut restart = gate("runs that were restarted with other bits")
-        .none()
-        .because("the state after a step is all that the next one needs");
+    let with_other_bits = |which: &str, reason| {
+        let name = format!("runs {which} with other bits");
+        gate(name).none().because(reason)
+    };
+    let mut threads = with_other_bits("on two and three threads", ORDER);
+    let mut lanes = with_other_bits("without vector lanes", ORDER);
+    let mut order = with_other_bits("of particles in another order", ORDER);
+    let mut restart = with_other_bits(
+        "that were restarted",
+        "the state after a step is all that the next one needs",
+    );
     for method in methods() {
         let count = count_of(method, 60);
         let run = |scene: &Scene, options: &Options| -> Result<Simulation, RowFault> {

@@ -16,8 +16,6 @@ pub static ROWS: &[Extreme] = &[
         .must("the stress under the weight exact; momentum to round-off, no growth of energy"),
 ];
 
-/// Weighting functions with which particles that fill their cells carry a linear stress exactly.
-const EXACT: [Weighting; 3] = [Weighting::Linear, Weighting::UniformGimp, CONTIGUOUS];
 /// Steps of a column that should stand still.
 const STANDS: u64 = 1000;
 /// Largest error of a stress that is carried exactly, over the largest stress: round-off of many steps, in stresses and
@@ -32,14 +30,18 @@ type Layer = (usize, f64, f64);
 /// A column one cell wide under its weight, its layers from below; Poisson's ratio is zero.
 fn column(layers: &[Layer], gravity: f64) -> Scene {
     let height: usize = layers.iter().map(|layer| layer.0).sum();
-    let mut scene = open([1, height + 2]).with_gravity([0.0, -gravity, 0.0]);
-    scene.mesh.planes[0] = [PlaneCondition::Sliding; 2];
-    scene.mesh.planes[1][0] = PlaneCondition::Sliding;
+    let mut scene = open([1, height + 2])
+        .with_gravity([0.0, -gravity])
+        .between(0)
+        .with_plane(1, 0, PlaneCondition::Sliding);
     let mut below = 0.0;
     for &(cells, young, density) in layers {
         let above = below + cells as f64;
-        let material = scene.add_material(elastic(young, 0.0), density);
-        scene.add_body(rectangle([0.0, below], [1.0, above]), material);
+        scene.body(
+            rectangle([0.0, below], [1.0, above]),
+            elastic(young, 0.0),
+            density,
+        );
         below = above;
     }
     scene
@@ -62,15 +64,12 @@ fn standing_column(layers: &'static [Layer], gravity: f64) -> Judgement {
         .at_most(STANDS_TO)
         .because(IN_BALANCE);
     let settled = stressed(move |x| [0.0, carried(layers, gravity, x[1]), 0.0, 0.0, 0.0, 0.0]);
-    for scene in each_scheme(&column(layers, gravity), EXACT) {
+    for scene in each_scheme(&column(layers, gravity), FILLING) {
         let mut simulation = start(&scene, &settled)?;
-        each_of(&mut simulation, STANDS, |_, _| ())?;
-        for (index, set) in simulation.sets().iter().enumerate() {
-            for p in 0..set.len() {
-                let exact = carried(layers, gravity, simulation.position(index, p)[1]);
-                let error = set.stress(p)[1] - exact;
-                off.see((error / carried(layers, gravity, 0.0)).abs());
-            }
+        steps(&mut simulation, STANDS)?;
+        for seen in unsorted(&simulation) {
+            let error = seen.stress[1] - carried(layers, gravity, seen.position[1]);
+            off.see((error / carried(layers, gravity, 0.0)).abs());
         }
     }
     Ok(off)
@@ -101,14 +100,13 @@ fn stiffness() -> RowVerdict {
         let scene = column(layers, GRAVITY).with_scheme(scheme);
         let mut simulation = start(&scene, &options())?;
         to_time(&mut simulation, end)?;
-        let index = layers.len() - 1;
-        let set = &simulation.sets()[index];
-        let squares = (0..set.len()).map(|p| {
-            let y = simulation.position(index, p)[1] - base;
-            (set.stress(p)[1] - exact.stress(y, end, 1.0)).powi(2)
+        let soft: Vec<_> = of_body(&simulation, layers.len() - 1).collect();
+        let squares = soft.iter().map(|seen| {
+            let y = seen.position[1] - base;
+            (seen.stress[1] - exact.stress(y, end, 1.0)).powi(2)
         });
-        let scale = GRAVITY * exact.height;
-        Ok((squares.sum::<f64>() / set.len() as f64).sqrt() / scale)
+        let mean = squares.sum::<f64>() / soft.len() as f64;
+        Ok(mean.sqrt() / (GRAVITY * exact.height))
     };
     let mut ratio = gate("error of the suddenly loaded soft layer over that of its own run")
         .at_most(2.0)
@@ -128,11 +126,13 @@ fn density() -> RowVerdict {
     const HEAVY: f64 = 4.0;
     const LIGHT: f64 = 8.0;
     const SPEED: f64 = 1e-4;
-    let mut bar = open([16, 1]);
-    bar.mesh.planes[1] = [PlaneCondition::Sliding; 2];
+    let mut bar = open([16, 1]).between(1);
     for (left, length, density) in [(2.0, HEAVY, 1e6), (2.0 + HEAVY, LIGHT, 1.0)] {
-        let material = bar.add_material(elastic(1.0, 0.0), density);
-        bar.add_body(rectangle([left, 0.0], [left + length, 1.0]), material);
+        bar.body(
+            rectangle([left, 0.0], [left + length, 1.0]),
+            elastic(1.0, 0.0),
+            density,
+        );
     }
     let wave = FRAC_PI_2 / LIGHT;
     let swings =
@@ -174,12 +174,15 @@ fn both() -> RowVerdict {
         (2.9, 5.9, 1.0, 1e6),
         (5.9, 5.9, 1e9, 1e6),
     ] {
-        let material = quarters.add_material(elastic(young, 0.3), density);
-        quarters.add_body(rectangle([x, y], [x + 3.0, y + 3.0]), material);
+        quarters.body(
+            rectangle([x, y], [x + 3.0, y + 3.0]),
+            elastic(young, 0.3),
+            density,
+        );
     }
     for scene in each_scheme(&quarters, SAFE) {
         let mut simulation = kept.start(&scene, &breathes)?;
-        each_of(&mut simulation, STANDS, |s, _| kept.look(s))?;
+        each_of(&mut simulation, [STANDS, 1], |s| kept.look(s))?;
     }
     let stiff = column(LAYERS, 0.0);
     Ok(Finding::of([

@@ -111,8 +111,7 @@ pub(super) fn onto_surface(
     penalty_stiffness: Option<f64>,
 ) -> Result<Scene, RowFault> {
     let mut scene = open_space(cells).with_gravity([0.0, 0.0, -1e-3]);
-    let material = scene.add_material(elastic(1.0, 0.3), 1.0);
-    scene.add_body(cuboid(p1, p2), material).velocity = [0.0, 0.0, -0.05];
+    scene.body(cuboid(p1, p2), elastic(1.0, 0.3), 1.0).velocity = [0.0, 0.0, -0.05];
     let surface = Surface::new(corners).map_err(|error| RowFault(error.to_string()))?;
     scene.surfaces = vec![RigidSurface {
         name: String::from("surface"),
@@ -160,10 +159,7 @@ fn ridge() -> Result<Scene, RowFault> {
     const MIDDLE: f64 = 4.0;
     let cube = [[MIDDLE - 1.0, 3.0, 3.1], [MIDDLE + 1.0, 5.0, 5.1]];
     let (a, b) = ([MIDDLE, 0.5, 2.8], [MIDDLE, 7.5, 2.8]);
-    let (left, right) = (
-        [[0.5, 0.5, 0.6], [0.5, 7.5, 0.6]],
-        [[7.5, 0.5, 0.6], [7.5, 7.5, 0.6]],
-    );
+    let [left, right] = [0.5, 7.5].map(|x| [[x, 0.5, 0.6], [x, 7.5, 0.6]]);
     let corners = [
         [a, b, left[0]],
         [b, left[1], left[0]],
@@ -175,15 +171,9 @@ fn ridge() -> Result<Scene, RowFault> {
 
 /// A square that falls on its own corner onto a rigid line.
 fn own_corner() -> Scene {
-    let points = [
-        [6.0, 4.2, 0.0],
-        [8.0, 6.2, 0.0],
-        [6.0, 8.2, 0.0],
-        [4.0, 6.2, 0.0],
-    ];
-    let square = Shape::Polygon {
-        points: points.to_vec(),
-    };
+    let points = [[6.0, 4.2], [8.0, 6.2], [6.0, 8.2], [4.0, 6.2]];
+    let points = points.map(|[x, y]| [x, y, 0.0]).to_vec();
+    let square = Shape::Polygon { points };
     let mut scene = alone([12, 12], square, elastic(1.0, 0.3)).with_gravity([0.0, -1e-3]);
     scene.bodies[0].velocity = [0.0, -0.05, 0.0];
     // The material is on the left of a line, so it lies below one that runs to the left.

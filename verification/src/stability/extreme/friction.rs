@@ -19,10 +19,10 @@ const END: f64 = 120.0;
 /// A block on a rigid base, which carries its weight from the start; Poisson's ratio is zero.
 fn slope(friction: f64) -> Scene {
     let mut scene = open([24, 9]).with_gravity([ALONG, -ACROSS, 0.0]);
-    let material = scene.add_material(elastic(1.0, 0.0), 1.0);
     let base = rectangle([1.0, 0.0], [23.0, BASE]);
-    scene.add_body(base, material).motion = Some(always([0.0; 3]));
-    scene.add_body(rectangle([6.0, BASE], [12.0, BASE + HEIGHT]), material);
+    let block = rectangle([6.0, BASE], [12.0, BASE + HEIGHT]);
+    scene.body(base, elastic(1.0, 0.0), 1.0).motion = Some(always([0.0; 3]));
+    scene.body(block, elastic(1.0, 0.0), 1.0);
     scene.contacts = vec![pair(1, 1, 2, friction)];
     // Friction holds from the second step on; a step of MUSL alone would be a fifth of the bound.
     scene.time_step = multiple(0.2);

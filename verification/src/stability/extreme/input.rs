@@ -20,10 +20,7 @@ pub fn full() -> Scene {
     scene.time = 1.0;
     scene.add_body(rectangle([6.0, 2.0], [8.0, 4.0]), 0).motion = Some(always([0.1, 0.0, 0.0]));
     scene.add_body(Shape::disc([3.0, 8.0], 1.0), 0);
-    scene.contacts = vec![Contact {
-        normal: ContactNormal::Collinear,
-        ..pair(1, 1, 2, 0.3)
-    }];
+    scene.contacts = vec![collinear(1, 1, 2, 0.3)];
     scene.point_loads = vec![PointLoad {
         position: [3.0, 3.0, 0.0],
         force: [0.1, 0.0, 0.0],

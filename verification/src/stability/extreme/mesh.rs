@@ -53,8 +53,7 @@ impl Bar {
         let mut far: [f64; 3] = std::array::from_fn(|a| cells[a] as f64 * self.edges[a]);
         far[axes..].fill(0.0);
         let mut scene = quiet(Scene::new(self.dimension, mesh, 1.0));
-        let material = scene.add_material(soft(), 1.0);
-        let mut body = scene.add_body(cuboid([0.0; 3], far), material);
+        let mut body = scene.body(cuboid([0.0; 3], far), soft(), 1.0);
         body.particles_per_cell[..axes].fill(self.particles_per_cell);
         scene
     }
@@ -83,9 +82,8 @@ impl Bar {
     /// Relative error of a quarter of the period, and the highest energy over that at the start.
     fn swing(&self, method: Method, [period, grown]: &mut [Gate; 2]) -> Result<(), RowFault> {
         let mut simulation = start(&with(&self.scene(), method), &self.initial())?;
-        let modulus = YOUNG * (1.0 - POISSON) / ((1.0 + POISSON) * (1.0 - 2.0 * POISSON));
         // L/(2c), with a density of 1 kg/m³.
-        let exact = 0.5 * self.length() / modulus.sqrt();
+        let exact = 0.5 * self.length() / confined(YOUNG, POISSON).sqrt();
         let begin = simulation.kinetic_energy();
         let mut before = (0.0, self.mode(&simulation));
         grown.see(1.0);
@@ -157,17 +155,12 @@ fn aspect() -> RowVerdict {
 
 /// A block that turns and breathes in an open plane, or between two walls a cell apart that make a plane of space.
 fn flat(dimension: Dimension) -> Scene {
-    let plane = dimension == Dimension::Two;
-    let (mut scene, deep) = if plane {
+    let (mut scene, deep) = if dimension == Dimension::Two {
         (open([10, 10]), 0.0)
     } else {
-        (open_space([10, 10, 1]), 1.0)
+        (open_space([10, 10, 1]).between(2), 1.0)
     };
-    if !plane {
-        scene.mesh.planes[2].fill(PlaneCondition::Sliding);
-    }
-    let material = scene.add_material(soft(), 1.0);
-    scene.add_body(cuboid([3.2, 3.3, 0.0], [6.2, 6.3, deep]), material);
+    scene.body(cuboid([3.2, 3.3, 0.0], [6.2, 6.3, deep]), soft(), 1.0);
     scene
 }
 

@@ -82,13 +82,11 @@ fn strain(simulation: &Simulation) -> f64 {
 /// Energy of the particles beside that of the motion of their centre \[J\].
 fn internal_energy(simulation: &Simulation) -> f64 {
     let mean = simulation.center(0).velocity;
-    let set = &simulation.sets()[0];
-    let of = |p: usize| {
-        let v = set.velocity(p);
-        let squares = (0..3).map(|axis| (v[axis] - mean[axis]).powi(2));
-        0.5 * simulation.particle_mass(0, p) * squares.sum::<f64>()
-    };
-    (0..set.len()).map(of).sum::<f64>() + simulation.strain_energy()
+    let relative = sum(simulation, |seen| {
+        let squares = (0..3).map(|axis| (seen.velocity[axis] - mean[axis]).powi(2));
+        0.5 * seen.mass * squares.sum::<f64>()
+    });
+    relative + simulation.strain_energy()
 }
 
 fn speeds() -> RowVerdict {

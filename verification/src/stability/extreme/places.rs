@@ -112,6 +112,7 @@ const START: f64 = 0.01;
 
 fn smooth(x: &Vector) -> InitialState {
     let (a, b) = (x[0] - 5.0, x[1] - 5.0);
+    let velocity = [START * (a + 0.3 * b * b), START * (0.5 * a - b), 0.0];
     let gradient = [
         [START, 0.6 * START * b, 0.0],
         [0.5 * START, -START, 0.0],
@@ -119,10 +120,7 @@ fn smooth(x: &Vector) -> InitialState {
     ];
     InitialState {
         stress: [START * a, START * b, 0.0, 0.0, 0.0, START * a * b],
-        ..moving(
-            [START * (a + 0.3 * b * b), START * (0.5 * a - b), 0.0],
-            gradient,
-        )
+        ..moving(velocity, gradient)
     }
 }
 

@@ -20,8 +20,10 @@ fn creep(weighting: Weighting, scheme: StressScheme) -> Result<f64, RowFault> {
     const SPACING: f64 = 2.0 / 3.0;
     const LAYERS: u32 = 3;
     let bar = |speed: f64| {
-        let mut scene = open([20, 2]).with_weighting(weighting).with_scheme(scheme);
-        scene.mesh.planes[1] = [PlaneCondition::Sliding; 2];
+        let mut scene = open([20, 2])
+            .between(1)
+            .with_weighting(weighting)
+            .with_scheme(scheme);
         let material = scene.add_material(elastic(1.0, 0.0), 1.0);
         // Ends that are driven keep the bar as long as it is.
         for columns in [5..15_u32, 0..5, 15..20] {
@@ -48,9 +50,8 @@ fn creep(weighting: Weighting, scheme: StressScheme) -> Result<f64, RowFault> {
     let (mut squares, mut count) = (0.0, 0_u32);
     run_to(&mut simulation, 1.0 / speed, |s, info| {
         if info.step.is_multiple_of(10) {
-            let set = &s.sets()[0];
-            for p in 0..set.len() {
-                squares += (set.stress(p)[0] / STRESS - 1.0).powi(2);
+            for seen in of_body(s, 0) {
+                squares += (seen.stress[0] / STRESS - 1.0).powi(2);
                 count += 1;
             }
         }
@@ -83,11 +84,9 @@ fn creeping() -> RowVerdict {
 /// Norm of what is left of the stresses along x less their means over each column of cells \[Pa\]: particles whose domains
 /// lie within a cell feel one velocity gradient, and act on its nodes by the mean alone.
 fn unseen(simulation: &Simulation, cells: usize) -> f64 {
-    let set = &simulation.sets()[0];
     let mut by_cell = vec![vec![]; cells];
-    for p in 0..set.len() {
-        let cell = simulation.position(0, p)[0] as usize;
-        by_cell[cell].push(set.stress(p)[0]);
+    for seen in of_body(simulation, 0) {
+        by_cell[seen.position[0] as usize].push(seen.stress[0]);
     }
     let squares = by_cell.iter().map(|all| {
         let mean = all.iter().sum::<f64>() / all.len().max(1) as f64;
@@ -103,14 +102,7 @@ fn null_space() -> RowVerdict {
         .because("particles in a cell feel one velocity gradient; a swing of 1e-11 of a cell takes that share of a domain across a face, in \
          each of 5000 steps");
     let mut kept = Conservation::named("free block with stresses that alternate and noise");
-    // A bar of one row of cells.
-    let mut bar = block(
-        [CELLS, 1],
-        [0.0, 0.0],
-        [CELLS as f64, 1.0],
-        elastic(1.0, 0.0),
-    )
-    .with_planes(PlaneCondition::Sliding);
+    let mut bar = bar(CELLS);
     bar.bodies[0].particles_per_cell = [4, 4, 1];
     let wave = PI / CELLS as f64;
     let alternating = from(move |x| {
@@ -123,16 +115,11 @@ fn null_space() -> RowVerdict {
         }
     });
     // B-splines see more than means, and linear functions have no safe step with USL.
-    for scene in each_scheme(
-        &bar,
-        [Weighting::Linear, Weighting::UniformGimp, CONTIGUOUS],
-    ) {
+    for scene in each_scheme(&bar, FILLING) {
         let mut simulation = start(&scene, &alternating)?;
         let before = unseen(&simulation, CELLS);
-        each_of(&mut simulation, 5000, |s, info| {
-            if info.step.is_multiple_of(50) {
-                changed.see((unseen(s, CELLS) / before - 1.0).abs());
-            }
+        each_of(&mut simulation, [5000, 50], |s| {
+            changed.see((unseen(s, CELLS) / before - 1.0).abs());
         })?;
     }
     // 16 particles in a cell whose stresses alternate and whose velocities are noise.
@@ -149,11 +136,7 @@ fn null_space() -> RowVerdict {
     });
     for scene in each_scheme(&free, SAFE) {
         let mut simulation = kept.start(&scene, &rough)?;
-        each_of(&mut simulation, 3000, |s, info| {
-            if info.step.is_multiple_of(10) {
-                kept.look(s);
-            }
-        })?;
+        each_of(&mut simulation, [3000, 10], |s| kept.look(s))?;
     }
     Ok(Finding::of([changed]).and(kept.gates()))
 }

@@ -37,10 +37,9 @@ const SPEED: f64 = 0.05;
 /// Two blocks that meet, one a little higher.
 fn mortar(enforcement: Enforcement, ratio: f64, friction: f64) -> Scene {
     let mut scene = open([16, 9]);
-    let material = scene.add_material(elastic(1.0, 0.3), 1.0);
     for (id, from, velocity) in [(1, [3.1, 3.1], SPEED), (2, [7.5, 3.5], -SPEED)] {
         let shape = rectangle(from, [from[0] + 4.0, from[1] + 3.0]);
-        scene.add_body(shape, material).velocity = [velocity, 0.0, 0.0];
+        scene.body(shape, elastic(1.0, 0.3), 1.0).velocity = [velocity, 0.0, 0.0];
         scene.mortar.boundaries.push(boundary(id));
     }
     scene.mortar.contacts = vec![MortarContact {

@@ -84,12 +84,10 @@ fn mass_ratio() -> RowVerdict {
         .because("a bar leaves a wall with its speed turned round, but for a front that is spread over (h² L)^(1/3), a quarter of it");
     for scheme in SCHEMES {
         // Between sliding planes and without lateral strain: waves of one dimension, of which nothing stays.
-        let mut scene = open([24, 2]).with_scheme(scheme);
-        scene.mesh.planes[1] = [PlaneCondition::Sliding; 2];
+        let mut scene = open([24, 2]).with_scheme(scheme).between(1);
         for (left, right, ratio, speed) in [(3.0, 11.0, 1.0, SPEED), (11.3, 15.3, RATIO, -SPEED)] {
-            let material = scene.add_material(elastic(ratio, 0.0), ratio);
             let shape = rectangle([left, 0.0], [right, 2.0]);
-            scene.add_body(shape, material).velocity = [speed, 0.0, 0.0];
+            scene.body(shape, elastic(ratio, 0.0), ratio).velocity = [speed, 0.0, 0.0];
         }
         // The heavy one is flat and stiff: the master.
         scene.contacts = vec![pair(1, 2, 1, 0.0)];
@@ -112,15 +110,11 @@ fn one_node() -> RowVerdict {
     for scheme in SCHEMES {
         for friction in [0.0, 0.3] {
             let mut scene = open([12, 12]).with_scheme(scheme);
-            let material = scene.add_material(elastic(1.0, 0.3), 1.0);
             for (low, speed) in [(3.0, SPEED), (6.0, -SPEED)] {
                 let shape = rectangle([low; 2], [low + 3.0; 2]);
-                scene.add_body(shape, material).velocity = [speed, speed, 0.0];
+                scene.body(shape, elastic(1.0, 0.3), 1.0).velocity = [speed, speed, 0.0];
             }
-            scene.contacts = vec![Contact {
-                normal: ContactNormal::Collinear,
-                ..pair(1, 1, 2, friction)
-            }];
+            scene.contacts = vec![collinear(1, 1, 2, friction)];
             let simulation = collisions.run(&scene, 40.0, [diagonal, diagonal, 0.0])?;
             let [a, b] = [0, 1].map(|set| simulation.center(set));
             mirrored.see(apart(&a.velocity, &b.velocity.map(|v| -v)) / SPEED);
@@ -140,29 +134,25 @@ fn wedges(scheme: StressScheme, speed: f64, exchanged: bool) -> Scene {
     for i in 0..COUNT {
         let at = |share: f64| {
             let (sin, cos) = libm::sincos(TAU * (i as f64 + share) / COUNT as f64);
-            [cos, sin]
+            [cos, sin, 0.0]
         };
         // Half of the wedge to either side of its middle; out by a tenth of a metre.
         let (middle, low, high) = (at(0.5), at(0.0), at(1.0));
-        let place = |r: f64, e: [f64; 2]| -> Vector {
-            [
-                CENTER + 0.1 * middle[0] + r * e[0],
-                CENTER + 0.1 * middle[1] + r * e[1],
-                0.0,
-            ]
+        let place = |r: f64, e: Vector| -> Vector {
+            let center = [CENTER, CENTER, 0.0];
+            std::array::from_fn(|k| center[k] + 0.1 * middle[k] + r * e[k])
         };
         let points = vec![place(0.0, middle), place(5.0, low), place(5.0, high)];
         let mut body = scene.add_body(Shape::Polygon { points }, material);
-        body.velocity = [-speed * middle[0], -speed * middle[1], 0.0];
+        body.velocity = middle.map(|c| -speed * c);
         body.particles_per_cell = [4, 4, 1];
     }
     for a in 1..=COUNT as i64 {
         for b in a + 1..=COUNT as i64 {
             let (master, slave) = if exchanged { (b, a) } else { (a, b) };
-            scene.contacts.push(Contact {
-                normal: ContactNormal::Collinear,
-                ..pair(100 * a + b, master, slave, 0.3)
-            });
+            scene
+                .contacts
+                .push(collinear(100 * a + b, master, slave, 0.3));
         }
     }
     scene

@@ -23,12 +23,8 @@ const TURNS: f64 = 10.0;
 
 /// A disc that spins about the middle of the mesh.
 fn disc(transfer: TransferKind) -> Scene {
-    alone(
-        [8, 8],
-        Shape::disc([CENTER; 2], RADIUS),
-        elastic(1.0, POISSON),
-    )
-    .with_transfer(Transfer::new(transfer))
+    let disc = Shape::disc([CENTER; 2], RADIUS);
+    alone([8, 8], disc, elastic(1.0, POISSON)).with_transfer(Transfer::new(transfer))
 }
 
 /// Its start.
@@ -36,16 +32,13 @@ fn spins() -> Options {
     let omega = RIM / RADIUS;
     let spin = [[0.0, -omega, 0.0], [omega, 0.0, 0.0], [0.0; 3]];
     from(move |x| {
-        moving(
-            [-omega * (x[1] - CENTER), omega * (x[0] - CENTER), 0.0],
-            spin,
-        )
+        let [a, b] = [x[0] - CENTER, x[1] - CENTER];
+        moving([-omega * b, omega * a, 0.0], spin)
     })
 }
 
 fn area(simulation: &Simulation) -> f64 {
-    let all = 0..simulation.particles();
-    all.map(|p| simulation.particle_volume(0, p)).sum()
+    sum(simulation, |seen| seen.volume)
 }
 
 /// Angular momentum about the middle, that of affine velocities with it, whose moment of inertia with quadratic B-splines

@@ -8,8 +8,8 @@ use crate::cases::{NO_RESULTS, elastic_law};
 use crate::settings::Settings;
 use crate::stability::map::LEAST_SQUARES;
 use crate::stability::scene::method_of;
-use proctor_scene::History;
-use proctor_scene::simulation::{ParticleAt, StepInfo};
+use proctor_scene::simulation::{ParticleAt, StepInfo, TimeStepAboveCritical};
+use proctor_scene::{BodyEntry, History};
 use std::fmt;
 
 /// Round-off of some thousand steps, over what it is compared with.
@@ -31,6 +31,11 @@ pub const NEVER: f64 = 1e30;
 /// Young's modulus \[Pa\] and Poisson's ratio of what is soft, and its confined modulus over density: waves of 1 m/s.
 pub const YOUNG: f64 = 0.75;
 pub const POISSON: f64 = 0.3;
+
+/// Confined modulus of Young's modulus \[Pa\] and Poisson's ratio \[Pa\].
+pub fn confined(young: f64, poisson: f64) -> f64 {
+    young * (1.0 - poisson) / ((1.0 + poisson) * (1.0 - 2.0 * poisson))
+}
 
 /// A confined modulus of 1 Pa within a per cent.
 pub fn soft() -> AnyLaw {
@@ -66,6 +71,32 @@ pub fn alone(cells: [usize; 2], shape: Shape, law: impl Into<AnyLaw>) -> Scene {
     let material = scene.add_material(law, 1.0);
     scene.add_body(shape, material);
     scene
+}
+
+/// Parts of scenes beyond the words of their builder.
+pub trait SceneParts: Sized {
+    /// Sliding planes on both sides along an axis.
+    fn between(self, axis: usize) -> Self;
+    /// Adds a body of a material of its own: its law, and its density \[kg/m³\].
+    fn body(&mut self, shape: Shape, law: AnyLaw, density: f64) -> BodyEntry<'_>;
+}
+
+impl SceneParts for Scene {
+    fn between(mut self, axis: usize) -> Self {
+        self.mesh.planes[axis] = [PlaneCondition::Sliding; 2];
+        self
+    }
+
+    fn body(&mut self, shape: Shape, law: AnyLaw, density: f64) -> BodyEntry<'_> {
+        let material = self.add_material(law, density);
+        self.add_body(shape, material)
+    }
+}
+
+/// A bar one cell wide that fills a mesh of so many cells between sliding planes; Poisson's ratio is zero.
+pub fn bar(cells: usize) -> Scene {
+    let scene = block([cells, 1], [0.0; 2], [cells as f64, 1.0], elastic(1.0, 0.0));
+    scene.with_planes(PlaneCondition::Sliding)
 }
 
 /// A block of the plane between two corners.
@@ -118,6 +149,8 @@ pub fn each_scheme(
 
 /// GIMP whose domains follow the stretch.
 pub const CONTIGUOUS: Weighting = Weighting::ContiguousGimp(DomainUpdate::Stretch);
+/// Weighting functions with which particles that fill their cells carry a linear stress exactly.
+pub const FILLING: [Weighting; 3] = [Weighting::Linear, Weighting::UniformGimp, CONTIGUOUS];
 /// Weighting functions with a stable step for every body.
 pub const SAFE: [Weighting; 3] = [
     Weighting::UniformGimp,
@@ -143,17 +176,13 @@ pub fn multiple(multiplier: f64) -> TimeStep {
 
 /// The same steps, stable or not.
 pub fn unstable(time_step: TimeStep) -> TimeStep {
-    match time_step {
-        TimeStep::Fixed { dt, .. } => TimeStep::Fixed {
-            dt,
-            allow_unstable: true,
-        },
-        TimeStep::Multiplier { multiplier, .. } => TimeStep::Multiplier {
-            multiplier,
-            allow_unstable: true,
-        },
-        TimeStep::Automatic => time_step,
+    let mut time_step = time_step;
+    if let TimeStep::Fixed { allow_unstable, .. } | TimeStep::Multiplier { allow_unstable, .. } =
+        &mut time_step
+    {
+        *allow_unstable = true;
     }
+    time_step
 }
 
 /// So many steps with a method that has a safe step, and two with one of which the kernel says that it has none.
@@ -170,6 +199,14 @@ pub fn pair(id: i64, master: i64, slave: i64, friction: f64) -> Contact {
         master,
         slave,
         normal: ContactNormal::Master,
+    }
+}
+
+/// The same with the mean of both normals.
+pub fn collinear(id: i64, master: i64, slave: i64, friction: f64) -> Contact {
+    Contact {
+        normal: ContactNormal::Collinear,
+        ..pair(id, master, slave, friction)
     }
 }
 
@@ -220,18 +257,20 @@ pub fn steps(simulation: &mut Simulation, count: u64) -> Result<(), RowFault> {
     Ok(())
 }
 
-/// Runs so many steps and looks at each.
+/// Runs so many steps and looks at those whose number `every` divides.
 ///
 /// # Errors
 /// The first that fails.
 pub fn each_of(
     simulation: &mut Simulation,
-    count: u64,
-    mut look: impl FnMut(&Simulation, &StepInfo),
+    [count, every]: [u64; 2],
+    mut look: impl FnMut(&Simulation),
 ) -> Result<(), RowFault> {
     for _ in 0..count {
         let info = step(simulation, f64::INFINITY)?;
-        look(simulation, &info);
+        if info.step.is_multiple_of(every) {
+            look(simulation);
+        }
     }
     Ok(())
 }
@@ -265,19 +304,27 @@ pub fn run_to(
 /// # Errors
 /// The balance that is off.
 pub fn trusted(simulation: &Simulation) -> Result<(), RowFault> {
+    let what = || method(simulation.scene()) + ": a sound run is doubted";
     let doubt = simulation.invariants().violation;
-    let doubted = |violation| {
-        unexpected(
-            method(simulation.scene()) + ": a sound run is doubted",
-            violation,
-        )
-    };
-    doubt.map(doubted).map_or(Ok(()), Err)
+    doubt.map_or(Ok(()), |violation| Err(unexpected(what(), violation)))
 }
 
 /// The error that ends a run within so many steps.
 pub fn first_error(simulation: &mut Simulation, most: u64) -> Option<StepError> {
     (0..most).find_map(|_| simulation.step(NEVER).err())
+}
+
+/// The same of a run that must end.
+///
+/// # Errors
+/// A run that goes on, which says `otherwise`.
+pub fn stopped(
+    what: impl fmt::Display,
+    simulation: &mut Simulation,
+    most: u64,
+    otherwise: &str,
+) -> Result<StepError, RowFault> {
+    first_error(simulation, most).ok_or_else(|| unexpected(what, otherwise))
 }
 
 /// The message of a scene that is refused when its run is set up, as `known` tells it of the error.
@@ -299,22 +346,45 @@ pub fn refused(
     }
 }
 
-/// Particles that have left the mesh, as they were booked.
-pub fn removed(simulation: &Simulation) -> impl Iterator<Item = &ParticleAt> {
-    simulation
-        .events()
-        .iter()
-        .filter_map(|event| match &event.kind {
-            EventKind::Removed(at) => Some(at),
-            _ => None,
-        })
+/// The message of a scene that is refused for its step, of which `right` holds.
+///
+/// # Errors
+/// A scene that is taken, or refused for something else.
+pub fn refused_step(
+    what: impl fmt::Display,
+    scene: &Scene,
+    options: &Options,
+    right: impl Fn(&TimeStepAboveCritical) -> bool,
+) -> Result<String, RowFault> {
+    refused(what, scene, options, |error| match error {
+        SetupError::UnstableTimeStep(step) => right(step).then(|| step.to_string()),
+        _ => None,
+    })
 }
 
-/// A particle as it is read of a simulation.
+/// Particles that have left the mesh, as they were booked.
+pub fn removed(simulation: &Simulation) -> impl Iterator<Item = &ParticleAt> {
+    let events = simulation.events().iter();
+    events.filter_map(|event| match &event.kind {
+        EventKind::Removed(at) => Some(at),
+        _ => None,
+    })
+}
+
+/// Mass that is neither left nor booked as removed, over that at the start \[kg\].
+pub fn unbooked(simulation: &Simulation, mass: f64) -> f64 {
+    let booked: f64 = removed(simulation).map(|at| at.mass).sum();
+    (booked + simulation.mass() - mass).abs() / mass
+}
+
+/// A particle as it is read of a simulation; its displacement is NaN where none is kept.
 pub struct ParticleState {
     pub id: u64,
+    pub mass: f64,
+    pub volume: f64,
     pub position: Vector,
     pub velocity: Vector,
+    pub displacement: Vector,
     pub stress: [f64; 6],
 }
 
@@ -328,17 +398,33 @@ impl ParticleState {
 
 /// All particles in order of the identifier.
 pub fn particles(simulation: &Simulation) -> Vec<ParticleState> {
-    let mut all = vec![];
-    for (set, columns) in simulation.sets().iter().enumerate() {
-        all.extend((0..columns.len()).map(|p| ParticleState {
-            id: columns.id[p],
-            position: simulation.position(set, p),
-            velocity: columns.velocity(p),
-            stress: columns.stress(p),
-        }));
-    }
+    let mut all: Vec<_> = unsorted(simulation).collect();
     all.sort_by_key(|seen| seen.id);
     all
+}
+
+/// All particles in the order in which the kernel has them.
+pub fn unsorted(simulation: &Simulation) -> impl Iterator<Item = ParticleState> + '_ {
+    (0..simulation.sets().len()).flat_map(|set| of_body(simulation, set))
+}
+
+/// The particles of a body in the order in which the kernel has them.
+pub fn of_body(simulation: &Simulation, set: usize) -> impl Iterator<Item = ParticleState> + '_ {
+    let columns = &simulation.sets()[set];
+    (0..columns.len()).map(move |p| ParticleState {
+        id: columns.id[p],
+        mass: simulation.particle_mass(set, p),
+        volume: simulation.particle_volume(set, p),
+        position: simulation.position(set, p),
+        velocity: columns.velocity(p),
+        displacement: simulation.displacement(set, p).unwrap_or([f64::NAN; 3]),
+        stress: columns.stress(p),
+    })
+}
+
+/// Sum of a value of all particles of the first body, in that order.
+pub fn sum(simulation: &Simulation, of: impl Fn(&ParticleState) -> f64) -> f64 {
+    of_body(simulation, 0).map(|seen| of(&seen)).sum()
 }
 
 /// Largest magnitude; infinite where there is something that is not a number.
@@ -373,8 +459,7 @@ pub fn all_apart<const N: usize>(
 
 /// Largest component of the stress of any particle of the first body \[Pa\].
 pub fn largest_stress(simulation: &Simulation) -> f64 {
-    let set = &simulation.sets()[0];
-    largest((0..set.len()).flat_map(|p| set.stress(p)))
+    largest(of_body(simulation, 0).flat_map(|seen| seen.stress))
 }
 
 /// Kinetic and strain energy, and what contact stores \[J\].
@@ -384,13 +469,9 @@ pub fn energy(simulation: &Simulation) -> f64 {
 
 /// Sum over all particles of what is made of mass \[kg\] and velocity \[m/s\].
 fn over_particles(simulation: &Simulation, of: fn(f64, Vector) -> f64) -> f64 {
-    let mut sum = 0.0;
-    for (index, set) in simulation.sets().iter().enumerate() {
-        for p in 0..set.len() {
-            sum += of(simulation.particle_mass(index, p), set.velocity(p));
-        }
-    }
-    sum
+    unsorted(simulation)
+        .map(|seen| of(seen.mass, seen.velocity))
+        .sum()
 }
 
 /// Sum of the magnitudes of all components of all momenta \[kg m/s\].
@@ -407,9 +488,7 @@ pub fn scale_of_speeds(simulation: &Simulation) -> f64 {
 
 /// Distance of the nearest particle from where a quarter turn about a point brings each, over `scale` \[m\].
 pub fn off_by_a_quarter_turn(simulation: &Simulation, [a, b]: [f64; 2], scale: f64) -> f64 {
-    let places: Vec<Vector> = (0..simulation.particles())
-        .map(|p| simulation.position(0, p))
-        .collect();
+    let places: Vec<Vector> = of_body(simulation, 0).map(|seen| seen.position).collect();
     let mut most = 0.0;
     for x in &places {
         let turned = [a - (x[1] - b), b + (x[0] - a), 0.0];
