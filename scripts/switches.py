@@ -1,6 +1,6 @@
 """All faults of fixtures/faults in one copy of the sources, each behind a switch, so that one build judges all of them.
 
-`scripts/faults --mill` calls it. A patch changes a line or two. Where the changed line is a statement or holds one expression,
+`scripts/faults --switched` and `--mill` call it. A patch changes a line or two. Where the changed line is a statement or holds one expression,
 the copy holds both, and chooses by the number in PROCTOR_FAULT. What was chosen from at least once is printed: a problem that
 never comes to the changed line runs as without the fault, and need not be run.
 """
@@ -100,6 +100,18 @@ BY_HAND = {
          "grain_density: self.materials[material].density,",
          "grain_density: self.materials[material].density,\n"
          "conductivity_gravity: if @ { self.gravity[1].abs().max(1e-3) } else { water.conductivity_gravity },")],
+    "water-drained-planes-are-shut": [
+        ("kernel/src/simulation/conditions/walls.rs",
+         "let water = water.map_or_else(Vec::new, |planes| walls_of(planes, shape));",
+         "let water = water.map_or_else(Vec::new, |mut planes| { if @ { "
+         "planes.as_flattened_mut().fill(PlaneCondition::Sliding); } walls_of(planes, shape) });")],
+    "water-undrained-speed-bounds-step": [
+        ("kernel/src/model/water.rs",
+         "let root = (a * a - 4.0 * d).max(0.0).sqrt();",
+         "let root = (a * a - 4.0 * d).max(0.0).sqrt();\n"
+         "let together = (1.0 - porosity) * self.grain_density + porosity * self.density;\n"
+         "let stiffness = skeleton_squared * (1.0 - porosity) * self.grain_density + self.bulk / porosity;\n"
+         "let (a, root) = if @ { (2.0 * stiffness / together, 0.0) } else { (a, root) };")],
     "water-whole-cell-at-plane": [
         ("kernel/src/stage/water.rs",
          ".then(|| inwards * self.pressure.at(shape, at) * (2.0 * volume / shape.cell[self.axis]))",
@@ -302,12 +314,10 @@ class Switched:
         for file, text in texts.items():
             put(into / file, text.encode())
 
-    def built(self, run, target, folder=None):
-        """The program of the mill, or that of the tests of the kernel: of both packages, so that what they share is built once;
-        in another folder that of its sources."""
-        kind = "--example=mill" if target == "mill" else "--test=kernel"
+    def built(self, run, folder=None):
+        """The program of the mill; in another folder that of its sources."""
         status, output, _ = run(
-            ["cargo", "build", "-p", "proctor-kernel", "-p", "proctor-verification", kind, "--config=profile.dev.debug=0",
+            ["cargo", "build", "-p", "proctor-verification", "--example=mill", "--config=profile.dev.debug=0",
              "--config=profile.dev.incremental=false", "--message-format=json-render-diagnostics"], folder=folder or self.folder)
         messages = [json.loads(line) for line in output.splitlines() if line.startswith("{")]
         programs = [message["executable"] for message in messages if message.get("executable")]
@@ -315,7 +325,7 @@ class Switched:
             said = [line for line in output.splitlines() if not line.startswith("{")]
             raise ValueError("the switched sources do not compile:\n" + "\n".join(said)[-6000:])
         # A later build may change it.
-        return shutil.copy(Path(programs[-1]), self.build / f"{target}-{'alone' if folder else 'switched'}")
+        return shutil.copy(Path(programs[-1]), self.build / f"mill-{'alone' if folder else 'switched'}")
 
 
 def put(path, content):
@@ -331,7 +341,7 @@ class Mill:
     def __init__(self, run, switched, alone, seed, count, seconds):
         """Runs every problem without a fault, alone, so that it is known to which changed lines each of them comes."""
         self.run, self.switched, self.alone, self.seed, self.limit = run, switched, alone, str(seed), str(seconds)
-        self.program = switched.built(run, "mill")
+        self.program = switched.built(run)
         self.reached, self.errors, self.cost = {}, {}, {}
         # What was found with this program before holds.
         kept = self.program.with_name("mill.json")
@@ -361,7 +371,7 @@ class Mill:
         number, switched = self.switched.numbers[name], self.switched
         if name not in switched.left or (name in switched.marked and not self.reaching(number)):
             return self.judge(number)
-        return self.judge(None, switched.built(self.run, "mill", self.alone(patch)))
+        return self.judge(None, switched.built(self.run, self.alone(patch)))
 
     def judge(self, number, program=None):
         """True where a fault is caught, and by which problem; or the cause for which none catches it. With a program of its own
