@@ -8,7 +8,7 @@ use crate::physics::mortar;
 use proctor_scene::simulation::{Options, Simulation};
 use proctor_scene::{
     BaseMotion, Damping, Dimension, History, InitialStress, Motion, PlaneCondition, Scene,
-    StressScheme, Traction, Transfer,
+    StressScheme, Traction, Transfer, Weighting,
 };
 use std::f64::consts::PI;
 
@@ -111,6 +111,63 @@ fn a_dashpot_covers_the_ground_that_is_there() {
     scene.materials = vec![material(elastic(YOUNG, 0.0))];
     let pulse = pulse_through(scene, 20.0 * CELL / (YOUNG / DENSITY).sqrt(), 0);
     assert!(pulse.reflected < 2e-4, "{pulse:?}");
+}
+
+/// Two bodies that lie beside each other share the dashpots of the nodes that both touch: they let a pulse out as one body does,
+/// by the bound of *pulses_leave*. Whole dashpots for each would add half of the impedance and send back a twenty-fifth.
+#[test]
+fn bodies_in_contact_share_a_dashpot() {
+    let mut scene = strip(60, 0, StressScheme::Usl, FLIP);
+    let right = 60.0 * CELL;
+    let (below, above) = ([right, CELL, 0.0], [right, 2.0 * CELL, 0.0]);
+    scene.bodies = vec![
+        body(1, cuboid([0.0; 3], below)),
+        body(2, cuboid([0.0, CELL, 0.0], above)),
+    ];
+    for one in &mut scene.bodies {
+        one.particles_per_cell[2] = 1;
+    }
+    scene.contacts = vec![pair(1, 1, 2, 0.3)];
+    // Without lateral strain neither presses the other.
+    scene.materials = vec![material(elastic(YOUNG, 0.0))];
+    let pulse = pulse_through(scene, 20.0 * CELL / (YOUNG / DENSITY).sqrt(), 0);
+    assert!(pulse.reflected < 2e-4, "{pulse:?}");
+}
+
+/// Beyond an absorbing plane functions go on linearly: nodes have the mass of a body that reaches beyond, and its mass times
+/// place. Mirrored as at a plane that holds it, its part beyond would have a place within.
+#[test]
+fn nodes_have_the_mass_of_a_body_beyond_the_plane_at_its_place() {
+    for planes in [
+        [PlaneCondition::Absorbing, PlaneCondition::Free],
+        [PlaneCondition::Free, PlaneCondition::Absorbing],
+    ] {
+        let mut scene = strip(4, 0, StressScheme::Usl, FLIP);
+        scene.weighting = Weighting::QuadraticBSpline;
+        scene.mesh.planes[0] = planes;
+        // Splines of particles a quarter of a cell off the plane reach a quarter of a cell beyond the next node.
+        let left = if planes[0] == PlaneCondition::Absorbing {
+            0.0
+        } else {
+            2.0 * CELL
+        };
+        let [lower, upper] = [[left, 0.0, 0.0], [left + 2.0 * CELL, 2.0 * CELL, 0.0]];
+        scene.bodies[0].shape = cuboid(lower, upper);
+        scene.check().expect("the scene is sound");
+        let mut simulation = simulation(&scene);
+        simulation.step(f64::INFINITY).expect("a step");
+        let nodes = simulation.node_values();
+        let sum = |of: &dyn Fn(f64) -> f64| -> f64 {
+            nodes
+                .iter()
+                .map(|node| node.mass * of(node.position[0]))
+                .sum()
+        };
+        let (mass, center) = (simulation.mass(), simulation.center(0).position[0]);
+        assert!((sum(&|_| 1.0) / mass - 1.0).abs() < 1e-14, "{planes:?}");
+        let off = (sum(&|x| x) / mass - center) / CELL;
+        assert!(off.abs() < 1e-13, "{planes:?}: {off} cells");
+    }
 }
 
 /// A load that stays moves the plane by what it presses the ground beyond together, p delta/(rho c²).

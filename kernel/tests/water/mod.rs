@@ -1,6 +1,7 @@
 //! Soil with water in its pores: skeleton and water as two velocities on one set of particles.
 
 mod column;
+mod drag;
 mod permeability;
 mod planes;
 mod rest;

@@ -41,3 +41,37 @@ fn the_limit_holds_for_every_conductivity() {
         assert!(!holds(k, StressScheme::Usl, Some(0.95)), "k = {k}");
     }
 }
+
+/// The fastest wave of skeleton and water that do not drag each other, by power iteration on M^-1 K with the stiffness of both
+/// and the masses of a volume.
+fn fast_wave(of: &super::series::Column) -> f64 {
+    let n = of.porosity;
+    let (skeleton, water) = ((1.0 - n) * of.grains, n * of.water);
+    let coupled = (1.0 - n) * of.bulk;
+    let stiffness = [
+        [of.modulus + coupled * (1.0 - n) / n, coupled],
+        [coupled, n * of.bulk],
+    ];
+    let (mut mode, mut square) = ([1.0, 1.0], 0.0);
+    for _ in 0..200 {
+        let force = stiffness.map(|row| row[0] * mode[0] + row[1] * mode[1]);
+        let next = [force[0] / skeleton, force[1] / water];
+        square = next[0].hypot(next[1]);
+        mode = next.map(|one| one / square);
+    }
+    square.sqrt()
+}
+
+/// The step is that of the fast wave, in which water and skeleton move past each other, whatever the drag.
+#[test]
+fn the_fast_wave_bounds_the_step() {
+    for k in [1e-1, 1e-5] {
+        let of = column(k);
+        let mut scene = strip(&of, k, 20, StressScheme::Usl);
+        scene.tractions.clear();
+        let mut simulation = simulation(&scene);
+        let exact = simulation.stability_number() * of.height / 20.0 / fast_wave(&of);
+        let found = simulation.step(1e9).expect("a step").dt_critical;
+        assert!((found / exact - 1.0).abs() < 1e-12, "{found:e} {exact:e}");
+    }
+}

@@ -90,6 +90,26 @@ fn bodies_begin_as_the_run_before_left_them() {
     }
 }
 
+/// Bodies stay where they are in space on a mesh that begins elsewhere.
+#[test]
+fn a_mesh_that_begins_elsewhere_holds_bodies_at_their_places() {
+    let (folder, before) = settled();
+    let mut scene = next(folder.path());
+    scene["mesh"]["origin"] = json!([-1.0, -1.5]);
+    scene["mesh"]["cells_number"] = json!([8, 16]);
+    let run = began(&scene).expect("a run");
+    for body in 0..2 {
+        let was = particles(before.simulation(), body);
+        let is = particles(run.simulation(), body);
+        assert_eq!(was.len(), is.len());
+        for ((was, _), (is, _)) in was.iter().zip(&is) {
+            // A place of 4 m is rounded to 9e-16 m, twice.
+            let off = (0..2).map(|axis| (was[axis] - is[axis]).abs());
+            assert!(off.fold(0.0, f64::max) < 4e-15, "{was:?}, {is:?}");
+        }
+    }
+}
+
 /// Settled ground stays where it is, on a base that has become absorbing as well.
 #[test]
 fn settled_ground_stays() {

@@ -5,9 +5,8 @@ use proctor_kernel::layout::{Layout, Optional, Variable};
 use proctor_kernel::particles::ParticleSet;
 use proctor_laws::tensor::Configuration;
 use proctor_laws::{
-    Block, BlockStrain, ConeMatch, DruckerPrager, GAP, Gradients, Hencky, Increment, Law,
-    LinearElastic, MohrCoulomb, NeoHookean, Particle, Residual, Softening, Stress, Tresca,
-    VonMises,
+    Block, BlockStrain, ConeMatch, DruckerPrager, Gradients, Hencky, Increment, Law, LinearElastic,
+    MohrCoulomb, NeoHookean, Particle, Residual, Softening, Stress, Tresca, VonMises,
 };
 
 const PARTICLES: usize = 43;
@@ -83,13 +82,16 @@ fn particles<M: Law>(axes: usize) -> (ParticleSet, Gradients) {
             }
         }
     }
-    // Of what may part some particles have.
+    // Of what may part some particles have, and of what softens each has softened as far as no other.
     for (variable, _, column) in layout.components() {
-        if *variable == GAP {
-            set.columns[column] = (0..PARTICLES)
-                .map(|p| (1e-3 * number(p)).max(0.0))
-                .collect();
-        }
+        let largest = match variable.name {
+            "gap" => 1e-3,
+            "plastic strain" => 0.1,
+            _ => continue,
+        };
+        set.columns[column] = (0..PARTICLES)
+            .map(|p| (largest * number(p)).max(0.0))
+            .collect();
     }
     let mut gradients = Gradients::zero();
     for (c, column) in gradients.0.iter_mut().enumerate() {
