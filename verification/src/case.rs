@@ -8,6 +8,7 @@ pub mod gates;
 pub mod ladder;
 mod run;
 mod rung;
+mod runs;
 mod value;
 pub mod wrong;
 

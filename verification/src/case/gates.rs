@@ -1,116 +1,7 @@
 //! Gates and tables as data: the number that is bounded, on which rungs, the side, the bound and its reason.
 
-use super::wrong::Reference;
-use super::{Gate, Relation, Rung, RungResult, Size, Verdict};
-use crate::convergence::{ConvergenceTable, Row};
-
-/// The runs of a ladder, as they are judged. The number of a run that failed is NaN, which no gate passes.
-pub struct Runs<'a> {
-    /// The size of the ladder.
-    pub size: Size,
-    /// All rungs, those that failed among them.
-    pub rungs: &'a [Rung],
-    /// The rungs that were solved.
-    pub solved: &'a [(Rung, RungResult)],
-    /// The reference that they were compared with.
-    pub reference: Reference,
-}
-
-impl Runs<'_> {
-    /// The run of the rung with that label.
-    #[must_use]
-    pub fn run(&self, label: &str) -> Option<&RungResult> {
-        let found = self.solved.iter().find(|(rung, _)| rung.label == label);
-        found.map(|(_, solved)| solved)
-    }
-
-    /// Relative error of a quantity of the run of the rung with that label.
-    #[must_use]
-    pub fn error(&self, label: &str, name: &str) -> f64 {
-        self.run(label).map_or(f64::NAN, |run| run.error(name))
-    }
-
-    /// Value of a quantity of the run of the rung with that label.
-    #[must_use]
-    pub fn value(&self, label: &str, name: &str) -> f64 {
-        self.run(label).map_or(f64::NAN, |run| run.value(name))
-    }
-
-    /// Variants of the rungs, each once.
-    #[must_use]
-    pub fn variants(&self) -> Vec<&'static str> {
-        let mut variants: Vec<&'static str> = vec![];
-        for rung in self.rungs {
-            if !variants.contains(&rung.variant) {
-                variants.push(rung.variant);
-            }
-        }
-        variants
-    }
-
-    /// The finest rung of a variant; of the ladder where there is none.
-    #[must_use]
-    pub fn finest(&self, variant: Option<&str>) -> Option<&Rung> {
-        let of = |rung: &&Rung| variant.is_none_or(|variant| rung.variant == variant);
-        self.rungs.iter().rfind(of)
-    }
-
-    /// Errors of the named quantities over the rungs of a variant, coarse to fine.
-    #[must_use]
-    pub fn table(&self, variant: Option<&str>, names: &[&'static str]) -> ConvergenceTable {
-        let mut table = ConvergenceTable::new(names.iter().copied());
-        let own = |rung: &Rung| variant.is_none_or(|variant| rung.variant == variant);
-        for (rung, solved) in self.solved.iter().filter(|(rung, _)| own(rung)) {
-            let row = Row {
-                h: rung.cell,
-                errors: names.iter().map(|name| solved.error(name)).collect(),
-                particles: solved.particles,
-                steps: solved.steps as usize,
-            };
-            // One error per name, by construction.
-            let _ = table.push(row);
-        }
-        table
-    }
-
-    /// Largest value of a quantity on the rungs of a variant; NaN where one of them failed.
-    #[must_use]
-    pub fn worst(&self, variant: Option<&str>, name: &str) -> f64 {
-        let own = |rung: &&Rung| variant.is_none_or(|variant| rung.variant == variant);
-        let values = self.rungs.iter().filter(own);
-        let values = values.map(|rung| self.value(&rung.label, name));
-        // `max` would drop a NaN, and with it a rung that failed.
-        values.fold(0.0, |worst, value| {
-            if value > worst || value.is_nan() {
-                value
-            } else {
-                worst
-            }
-        })
-    }
-
-    /// Gate on the error of a quantity of the run of the rung with that label.
-    #[must_use]
-    pub fn error_at_most(&self, label: &str, name: &str, bound: f64, reason: &'static str) -> Gate {
-        let title = format!("{label}: {name}");
-        Gate::at_most(title, self.error(label, name), bound, reason)
-    }
-
-    /// A gate on the finest rung and the ladder of a variant, whose name it has first.
-    #[must_use]
-    pub fn gate_of(&self, variant: &str, rule: &GateRule) -> Gate {
-        rule.gate(self, Scope::Variants, self.finest(Some(variant)))
-    }
-
-    /// Order of a quantity between the two finest rungs of a variant, NaN where there is none.
-    #[must_use]
-    pub fn order(&self, variant: Option<&str>, name: &'static str) -> f64 {
-        let table = self.table(variant, &[name]);
-        let last = table.rows().len().checked_sub(1);
-        let order = last.and_then(|last| table.order(0, last));
-        order.unwrap_or(f64::NAN)
-    }
-}
+pub use super::runs::Runs;
+use super::{Gate, Relation, Rung, Size, Verdict};
 
 /// The runs that a list of gates is on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -130,6 +21,10 @@ enum Number {
     Error,
     /// Its value.
     Value,
+    /// Its value over the exact one.
+    Share,
+    /// What that share is beyond one.
+    Excess,
     /// The largest of its values on all rungs of the variant.
     Worst,
     /// The observed order of its error.
@@ -158,8 +53,14 @@ pub struct GateRule {
     bound: Bound,
     reasons: [&'static str; 2],
     on: fn(&Rung) -> bool,
+    /// The one variant that it judges, where it judges one alone.
+    variant: Option<&'static str>,
     /// The one size that it judges, where it judges one alone.
     size: Option<Size>,
+    /// True where it judges each rung of a variant.
+    each: bool,
+    /// True where it judges no variant of one rung alone.
+    several: bool,
     /// True where its name begins with the label of the rung.
     by_rung: bool,
     /// Its name, where it has one of its own.
@@ -176,6 +77,18 @@ pub const fn error(quantity: &'static str) -> GateRule {
 #[must_use]
 pub const fn value(quantity: &'static str) -> GateRule {
     GateRule::new(Number::Value, quantity)
+}
+
+/// A gate on the value of a quantity over its exact value.
+#[must_use]
+pub const fn share(quantity: &'static str) -> GateRule {
+    GateRule::new(Number::Share, quantity)
+}
+
+/// A gate on what that share is beyond one: an error with its sign.
+#[must_use]
+pub const fn excess(quantity: &'static str) -> GateRule {
+    GateRule::new(Number::Excess, quantity)
 }
 
 /// A gate on the largest value of a quantity on all rungs.
@@ -206,7 +119,10 @@ impl GateRule {
             bound: Bound::Of([f64::NAN; 2]),
             reasons: [""; 2],
             on: |_| true,
+            variant: None,
             size: None,
+            each: false,
+            several: false,
             by_rung: false,
             name: None,
         }
@@ -279,6 +195,13 @@ impl GateRule {
         self
     }
 
+    /// Restricts the gate to a variant.
+    #[must_use]
+    pub const fn of(mut self, variant: &'static str) -> Self {
+        self.variant = Some(variant);
+        self
+    }
+
     /// Restricts the gate to the full ladder.
     #[must_use]
     pub const fn full_alone(mut self) -> Self {
@@ -293,8 +216,23 @@ impl GateRule {
         self
     }
 
-    /// Gives the gate a name of its own, in which `{quantity}` stands for that of the quantity and `{label}` for that of the
+    /// Has the gate judge each rung of a variant, before those gates that judge the finest; its name begins with the label of the
     /// rung.
+    #[must_use]
+    pub const fn of_each(mut self) -> Self {
+        self.each = true;
+        self.by_rung()
+    }
+
+    /// Restricts the gate to variants of several rungs, which have an order.
+    #[must_use]
+    pub const fn of_several(mut self) -> Self {
+        self.several = true;
+        self
+    }
+
+    /// Gives the gate a name of its own, in which `{quantity}` stands for that of the quantity, `{variant}` and `{label}` for those
+    /// of the rung.
     #[must_use]
     pub const fn named(mut self, name: &'static str) -> Self {
         self.name = Some(name);
@@ -308,6 +246,18 @@ impl GateRule {
         self
     }
 
+    /// The gate on the ladder of a variant, of which a rung is the finest one.
+    pub(super) fn of_variant(&self, runs: &Runs<'_>, finest: Option<&Rung>) -> Gate {
+        self.gate(runs, Scope::Variants, finest)
+    }
+
+    /// True for a rung that it judges, or for the ladder of which it is the finest one.
+    fn judges(&self, runs: &Runs<'_>, rung: &Rung) -> bool {
+        self.variant.is_none_or(|variant| variant == rung.variant)
+            && (self.on)(rung)
+            && (!self.several || runs.of(rung.variant).count() > 1)
+    }
+
     /// The gate on a rung, or on the ladder of which it is the finest one.
     fn gate(&self, runs: &Runs<'_>, scope: Scope, rung: Option<&Rung>) -> Gate {
         let label = rung.map_or("no rung", |rung| &rung.label);
@@ -319,6 +269,8 @@ impl GateRule {
         let value = match self.number {
             Number::Error => runs.error(label, name),
             Number::Value => runs.value(label, name),
+            Number::Share => runs.share(label, name),
+            Number::Excess => runs.share(label, name) - 1.0,
             Number::Worst => runs.worst(variant, name),
             Number::Order => runs.order(variant, name),
             Number::ReciprocalOrder => 1.0 / runs.order(variant, name),
@@ -338,14 +290,19 @@ impl GateRule {
         };
         let by_rung = self.by_rung || scope == Scope::Rungs;
         let mut title = match (self.number, by_rung) {
-            (Number::Error | Number::Value, true) => format!("{label}: {name}"),
+            (Number::Error | Number::Value | Number::Excess, true) => format!("{label}: {name}"),
+            (Number::Share, true) => format!("{label}: {name} over the exact one"),
+            (Number::Share, _) => format!("{name} over the exact one, {label}"),
+            (Number::Excess, _) => format!("excess of {name}, {label}"),
             (Number::Error, _) => format!("error of {name}, {label}"),
             (Number::Value | Number::Worst, _) => format!("{name}, {label}"),
             (Number::Order, _) => format!("observed order of {name}"),
             (Number::ReciprocalOrder, _) => format!("one over the observed order of {name}"),
         };
         if let Some(template) = self.name {
-            title = (template.replace("{quantity}", name)).replace("{label}", label);
+            title = template.replace("{quantity}", name);
+            title = title.replace("{label}", label);
+            title = title.replace("{variant}", variant.unwrap_or_default());
         }
         if let (Scope::Variants, Some(variant), false) = (scope, variant, by_rung) {
             title = format!("{variant}: {title}");
@@ -398,20 +355,30 @@ pub(crate) fn verdict(
     tables: &[TableRule],
 ) -> Verdict {
     let mut verdict = Verdict::default();
-    let on = |rung: Option<&Rung>| -> Vec<Gate> {
+    let on = |rung: Option<&Rung>, of: fn(&GateRule) -> bool| -> Vec<Gate> {
         let acts = |gate: &&GateRule| {
-            gate.size.is_none_or(|size| size == runs.size)
-                && rung.is_none_or(|rung| (gate.on)(rung))
+            of(gate)
+                && gate.size.is_none_or(|size| size == runs.size)
+                && rung.is_none_or(|rung| gate.judges(runs, rung))
         };
         let own = gates.iter().filter(acts);
         own.map(|gate| gate.gate(runs, scope, rung)).collect()
     };
+    let of_ladder = |variant: Option<&str>| -> Vec<Gate> {
+        let own = |rung: &&Rung| variant.is_none_or(|variant| rung.variant == variant);
+        let rungs = runs.rungs.iter().filter(own);
+        let each = rungs.flat_map(|rung| on(Some(rung), |gate| gate.each));
+        let finest = on(runs.finest(variant), |gate| !gate.each);
+        each.chain(finest).collect()
+    };
     verdict.gates = match scope {
-        Scope::Ladder => on(runs.finest(None)),
+        Scope::Ladder => of_ladder(None),
         Scope::Variants => (runs.variants().into_iter())
-            .flat_map(|variant| on(runs.finest(Some(variant))))
+            .flat_map(|variant| of_ladder(Some(variant)))
             .collect(),
-        Scope::Rungs => runs.rungs.iter().flat_map(|rung| on(Some(rung))).collect(),
+        Scope::Rungs => (runs.rungs.iter())
+            .flat_map(|rung| on(Some(rung), |_| true))
+            .collect(),
     };
     for variant in runs.variants() {
         for rule in tables.iter().filter(|rule| (rule.of)(variant)) {

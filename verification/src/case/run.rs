@@ -305,6 +305,10 @@ impl Case {
             all.for_the_record.extend(more.for_the_record);
             all.curves.extend(more.curves);
         }
+        if let Some(line) = self.line {
+            let lines = solved.iter().filter_map(|(rung, run)| line(rung, run));
+            all.for_the_record.extend(lines);
+        }
         all
     }
 

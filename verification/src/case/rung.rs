@@ -81,6 +81,24 @@ impl Rung {
         counts.iter().map(of).collect()
     }
 
+    /// The rungs of several problems, each with so many cells over a length \[m\]; labels have the name of the problem first.
+    #[must_use]
+    pub fn of_problems<P: Any + Copy + Send + Sync>(
+        problems: &[P],
+        name: fn(&P) -> &'static str,
+        word: &str,
+        length: f64,
+        counts: impl Fn(&P) -> &'static [u32],
+    ) -> Vec<Self> {
+        let of = |problem: &P| {
+            let word = format!("{}, {word}", name(problem));
+            let rungs = Self::counted(name(problem), &word, length, counts(problem));
+            let problem = *problem;
+            rungs.into_iter().map(move |rung| rung.with(problem))
+        };
+        problems.iter().flat_map(of).collect()
+    }
+
     /// A cell size \[m\] of a variant.
     #[must_use]
     pub fn new(variant: &'static str, cell: f64) -> Self {

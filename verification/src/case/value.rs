@@ -121,6 +121,7 @@ pub struct Case {
     pub(super) scope: Scope,
     pub(super) tables: &'static [TableRule],
     pub(super) judge: Option<fn(&Runs<'_>) -> Verdict>,
+    pub(super) line: Option<fn(&Rung, &RungResult) -> Option<String>>,
     pub(super) wrong: &'static [Wrong],
     pub(super) refer: Option<fn(&Rung, Reference, &mut RungResult)>,
     pub(super) reference: Reference,
@@ -148,6 +149,7 @@ impl Case {
             scope: Scope::Ladder,
             tables: &[],
             judge: None,
+            line: None,
             wrong: &[],
             refer: None,
             reference: Reference::CORRECT,
@@ -292,6 +294,13 @@ impl Case {
     #[must_use]
     pub const fn judge_by(mut self, judge: fn(&Runs<'_>) -> Verdict) -> Self {
         self.judge = Some(judge);
+        self
+    }
+
+    /// A line for the record of each run that has one, which judges nothing.
+    #[must_use]
+    pub const fn line_of_each(mut self, line: fn(&Rung, &RungResult) -> Option<String>) -> Self {
+        self.line = Some(line);
         self
     }
 

@@ -32,23 +32,36 @@ pub static CLAY_FOOTING: Case = Case::new(
     "clay-footing",
     "What does wet clay carry below a strip footing that comes faster than its pores drain, and what one that comes slowly?",
 )
-.ladder(Ladder::made(rungs))
+.ladder(Ladder::variants(
+    &[UNDRAINED, DRAINED],
+    ", ",
+    "B/h",
+    WIDTH,
+    [&[4, 8], &[4, 8, 16]],
+))
 .scene(scene)
 .solve_by(solve)
-.judge_by(judge)
+.gates_of_variants(&[
+    footing::above(
+        |rung| 0.8 * footing::coarse(rung, WIDTH),
+        "as in *footing*: five percent at h = B/16, and as much more in larger cells",
+    )
+    .of(UNDRAINED),
+    footing::above(
+        |rung| 2.0 * footing::coarse(rung, WIDTH),
+        "as in *footing*: the moving part is at most as wide as the footing and a cell on either side",
+    )
+    .of(DRAINED),
+    footing::below(
+        0.98,
+        "loads come from above, less two percent for water that is not yet at rest",
+    ),
+    footing::ORDER,
+])
+.tables(&[TableRule::new("clay-footing, {variant}, uGIMP, USL, FLIP", &[LOAD])])
 .wrong_references(&[WRONG_STRENGTH, STRONGER])
 .no_study("its load is a limit that means over cells decide, which are no setting of a study")
 .no_guest("no other solver of the protocol knows pore water");
-
-fn rungs(size: Size) -> Vec<Rung> {
-    let cells: &[u32] = match size {
-        Size::Quick => &[4, 8],
-        Size::Full => &[4, 8, 16],
-    };
-    let of =
-        |variant: &'static str| Rung::counted(variant, &format!("{variant}, B/h"), WIDTH, cells);
-    [UNDRAINED, DRAINED].into_iter().flat_map(of).collect()
-}
 
 fn is_drained(rung: &Rung) -> bool {
     rung.variant == DRAINED
@@ -161,33 +174,4 @@ fn sink(
         Quantity::figure(PRESSURE, mean / load, "1"),
     ])
     .drawn(curve))
-}
-
-fn judge(runs: &Runs<'_>) -> Verdict {
-    let mut verdict = Verdict::default();
-    for variant in [UNDRAINED, DRAINED] {
-        let own = runs.rungs.iter().filter(|rung| rung.variant == variant);
-        for rung in own.clone() {
-            let most = if is_drained(rung) {
-                (
-                    2.0,
-                    "as in *footing*: the moving part is at most as wide as the footing and a cell on either side",
-                )
-            } else {
-                (
-                    0.8,
-                    "as in *footing*: five percent at h = B/16, and as much more in larger cells",
-                )
-            };
-            let below = "loads come from above, less two percent for water that is not yet at rest";
-            (verdict.gates).extend(footing::gates(runs, rung, WIDTH, [most, (0.98, below)]));
-        }
-        if own.count() > 1 {
-            verdict.gates.push(footing::order_of(runs, variant));
-        }
-        let table = runs.table(Some(variant), &[LOAD]);
-        let title = format!("clay-footing, {variant}, uGIMP, USL, FLIP");
-        verdict.tables.push((title, table));
-    }
-    verdict
 }

@@ -15,10 +15,10 @@
 //! (h² L)^(1/3), so that the last of its impulse comes late or never. `precision` studies bars of equal masses.
 //! `proctor verify colliding-blocks`.
 
-mod judge;
 mod scenes;
 
 use super::prelude::*;
+use super::vocabulary::impulse::Impulse;
 use crate::exact::bar_impact::BarImpact;
 use scenes::{VARIANTS, Variant};
 
@@ -46,7 +46,42 @@ pub static COLLIDING_BLOCKS: Case = Case::new(
 .method(method)
 .scene(scene)
 .run(compare)
-.judge_by(judge::verdict)
+.gates_of_variants(&[
+    each(
+        MOMENTUM,
+        "contact forces are equal and opposite; round-off is left",
+    ),
+    each(ENERGY, "contact only takes energy"),
+    each(
+        BALANCE,
+        "between rollers contact alone changes the momentum of a bar; round-off is left",
+    )
+    .on(is_bars),
+    spread(DURATION, 0.5),
+    spread(RESTITUTION, 1.0),
+    // J = (1 + e) m_1 m_2 / (m_1 + m_2) (v_1 - v_2), so that dJ / J = de / (1 + e).
+    error(IMPULSE)
+        .at_most_by(
+            |rung| {
+                let exact = variant(rung)
+                    .impact()
+                    .and_then(|impact| impact.restitution());
+                exact.map_or(f64::NAN, |exact| width(rung) * exact / (1.0 + exact))
+            },
+            "the impulse is off by de / (1 + e), where the front leaves de in the restitution e",
+        )
+        .on(is_bars)
+        .by_rung(),
+    order(DURATION)
+        .at_least(0.6, "2/3, as the front spreads")
+        .on(is_bars)
+        .of_several(),
+])
+.tables(&[
+    TableRule::new("{variant}", &[DURATION, IMPULSE, RESTITUTION])
+        .of(|variant| variant.starts_with("bars")),
+])
+.judge_by(lines)
 .wrong_references(&[WRONG_STIFFNESS, WRONG_IMPULSE])
 .studies(&[Plan::new(
     Ladder::made(path),
@@ -57,6 +92,43 @@ pub static COLLIDING_BLOCKS: Case = Case::new(
     1,
 )])
 .guest(parted);
+
+/// Gate on an error of every rung: at most round-off of some thousand steps.
+const fn each(quantity: &'static str, reason: &'static str) -> GateRule {
+    error(quantity).at_most(1e-12, reason).of_each()
+}
+
+/// Gate on an error of bars on their finest mesh: at most a share of the width of the front.
+const fn spread(quantity: &'static str, share: f64) -> GateRule {
+    let front = "dispersion spreads the front of the wave over (h² L)^(1/3)";
+    let gate = error(quantity).at_most_spread(scenes::LENGTH, [share, 1.0], front);
+    gate.on(is_bars).by_rung()
+}
+
+/// Width over which dispersion of second order spreads a jump on a way of 2 L, over L.
+fn width(rung: &Rung) -> f64 {
+    libm::pow(rung.cell / scenes::LENGTH, 2.0 / 3.0)
+}
+
+fn is_bars(rung: &Rung) -> bool {
+    variant(rung).impact().is_some()
+}
+
+/// Blocks on their finest mesh.
+fn lines(runs: &Runs<'_>) -> Verdict {
+    let of = |variant| {
+        let rung = runs.finest(Some(variant)).filter(|rung| !is_bars(rung))?;
+        let (label, run) = (&rung.label, runs.run(&rung.label)?);
+        let (restitution, lost) = (run.value(RESTITUTION), 100.0 * run.value(LOST));
+        Some(format!(
+            "{label}: restitution {restitution:.3}, energy dissipated {lost:.2} %"
+        ))
+    };
+    Verdict {
+        for_the_record: runs.variants().into_iter().filter_map(of).collect(),
+        ..Verdict::default()
+    }
+}
 
 /// Frames hold no forces of contact. The velocity of the second bar after both have parted is known too.
 fn parted(rung: &Rung) -> Result<Guest, &'static str> {
@@ -83,14 +155,11 @@ fn parted(rung: &Rung) -> Result<Guest, &'static str> {
     })
 }
 
-/// Result of a collision.
+/// Energy over that at the start: at the end, and the largest gain of any step.
 #[derive(Clone, Copy, Debug, Default)]
-struct Collision {
-    impulse: f64,
-    moment: f64,
-    energy: f64,
+struct Energy {
+    last: f64,
     gained: f64,
-    before: Option<(f64, f64)>,
 }
 
 fn rungs_of(variant: &Variant, size: Size) -> Vec<Rung> {
@@ -112,36 +181,29 @@ fn exact(reference: Reference, variant: &Variant) -> Option<BarImpact> {
     Some(impact)
 }
 
-fn collide(simulation: &mut Simulation, observer: &mut dyn Observer) -> Result<Collision, Failure> {
+/// Runs the collision: the impulse on the second body, and the energy.
+fn collide(run: &mut Run<'_>) -> Result<(Impulse, Energy), Failure> {
+    let simulation = &mut *run.simulation;
     let initial = simulation.kinetic_energy() + simulation.strain_energy();
-    let mut seen = Collision::default();
-    let mut kicked = simulation.velocity_time();
-    let mut force_at = simulation.time();
+    let (mut energy, mut impulse) = (Energy::default(), Impulse::of(simulation));
+    let mut before: Option<[f64; 2]> = None;
     let end = simulation.scene().time;
-    run_until(simulation, end, observer, |s| {
-        // The force is that at the positions before the step; it kicks velocities from half step to half step.
-        let kick = s.velocity_time() - kicked;
-        let force = s.contact_force(1)[0];
-        seen.impulse += force * kick;
-        seen.moment += force * kick * force_at;
-        (kicked, force_at) = (s.velocity_time(), s.time());
-        let kinetic = s.kinetic_energy();
-        if let Some((kinetic_before, strain_before)) = seen.before {
-            seen.energy = 0.5 * (kinetic_before + kinetic) + strain_before;
-            seen.gained = seen.gained.max(seen.energy / initial - 1.0);
+    run_until(simulation, end, run.observer, |s| {
+        impulse.add(s, s.contact_force(1)[0]);
+        let now = [s.kinetic_energy(), s.strain_energy()];
+        if let Some([kinetic, strain]) = before {
+            energy.last = 0.5 * (kinetic + now[0]) + strain;
+            energy.gained = energy.gained.max(energy.last / initial - 1.0);
         }
-        seen.before = Some((kinetic, s.strain_energy()));
+        before = Some(now);
     })?;
-    seen.energy /= initial;
-    Ok(seen)
+    energy.last /= initial;
+    Ok((impulse, energy))
 }
 
-fn quantities(
-    reference: Reference,
-    variant: &Variant,
-    simulation: &Simulation,
-    seen: &Collision,
-) -> Vec<Quantity> {
+fn compare(mut run: Run<'_>) -> Result<Measurements, Failure> {
+    let (impulse, energy) = collide(&mut run)?;
+    let (simulation, variant) = (&*run.simulation, variant(run.rung));
     let masses = [0, 1].map(|i| simulation.center(i).mass);
     let after = [0, 1].map(|i| simulation.center(i).velocity[0]);
     let before = variant.velocities();
@@ -152,32 +214,26 @@ fn quantities(
     let restitution = (after[1] - after[0]) / (before[0] - before[1]);
     let mut all = vec![
         Quantity::of_zero(MOMENTUM, lost),
-        Quantity::of_zero(ENERGY, seen.gained.max(0.0)),
-        Quantity::figure(LOST, 1.0 - seen.energy, "1"),
+        Quantity::of_zero(ENERGY, energy.gained.max(0.0)),
+        Quantity::figure(LOST, 1.0 - energy.last, "1"),
     ];
-    let exact = exact(reference, variant);
+    let exact = exact(run.reference, &variant);
     let pressed = exact.and_then(|e| Some((e.press()?, e.restitution()?)));
     let Some((press, of_exact)) = pressed else {
         all.push(Quantity::figure(RESTITUTION, restitution, "1"));
-        return all;
+        return Ok(Measurements::of(all));
     };
-    all.push(Quantity::compared(
-        DURATION,
-        2.0 * seen.moment / seen.impulse,
-        press.duration,
-        "s",
-    ));
-    all.push(Quantity::compared(
-        IMPULSE,
-        seen.impulse,
-        reference.of(&WRONG_IMPULSE) * press.impulse * Variant::section(simulation.scene()),
-        "N s",
-    ));
+    let of_press = run.reference.of(&WRONG_IMPULSE) * press.impulse;
+    let given = of_press * Variant::section(simulation.scene());
     // Of the lighter bar, since the change of a velocity is known to round-off of the velocity.
     let taken = masses[0] * (before[0] - after[0]);
-    all.push(Quantity::of_zero(BALANCE, 1.0 - taken / seen.impulse));
-    all.push(Quantity::compared(RESTITUTION, restitution, of_exact, "1"));
-    all
+    all.extend([
+        Quantity::compared(DURATION, impulse.duration(), press.duration, "s"),
+        Quantity::compared(IMPULSE, impulse.total, given, "N s"),
+        Quantity::of_zero(BALANCE, 1.0 - taken / impulse.total),
+        Quantity::compared(RESTITUTION, restitution, of_exact, "1"),
+    ]);
+    Ok(Measurements::of(all))
 }
 
 fn rungs(size: Size) -> Vec<Rung> {
@@ -200,14 +256,6 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
     scene.time_step = settings.multiplier();
     settings.apply(&mut scene);
     scene
-}
-
-fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
-    let (rung, reference) = (run.rung, run.reference);
-    let (simulation, observer) = (run.simulation, run.observer);
-    let seen = collide(simulation, observer)?;
-    let quantities = quantities(reference, &variant(rung), simulation, &seen);
-    Ok(Measurements::of(quantities))
 }
 
 fn path(size: Size) -> Vec<Rung> {

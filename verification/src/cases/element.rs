@@ -149,150 +149,149 @@ fn times_of_mud() -> [f64; 2] {
     [limit / (shear * RATE), viscosity / shear]
 }
 
+/// A path from no stress whose answer depends neither on time nor on the number of steps.
+const fn path(
+    name: &'static str,
+    law: fn() -> AnyLaw,
+    parts: fn() -> Vec<[f64; 6]>,
+    answer: fn(f64, f64) -> [f64; 6],
+) -> Path {
+    Path {
+        name,
+        exact: true,
+        law,
+        start: [0.0; 6],
+        parts,
+        times: any_time,
+        answer,
+    }
+}
+
 const PATHS: [Path; 11] = [
-    Path {
-        name: "oedometer, von Mises",
-        exact: true,
-        law: || VonMises::new(YOUNG, POISSON, YIELD, HARDENING).into(),
-        start: [0.0; 6],
-        parts: || pressed(&of_mises()),
-        times: any_time,
-        answer: |stiffer, strain| pressed_to(&of_mises(), stiffer, strain),
-    },
-    Path {
-        name: "oedometer, Tresca",
-        exact: true,
-        law: || Tresca::new(YOUNG, POISSON, 0.5 * YIELD).into(),
-        start: [0.0; 6],
-        parts: || pressed(&of_tresca()),
-        times: any_time,
-        answer: |stiffer, strain| pressed_to(&of_tresca(), stiffer, strain),
-    },
-    Path {
-        name: "oedometer, Mohr-Coulomb",
-        exact: true,
-        law: || MohrCoulomb::new(YOUNG, POISSON_OF_SOIL, SOIL).into(),
-        start: [0.0; 6],
-        parts: || pressed(&of_soil()),
-        times: any_time,
-        answer: |stiffer, strain| pressed_to(&of_soil(), stiffer, strain),
-    },
-    Path {
-        name: "oedometer, Drucker-Prager",
-        exact: true,
-        law: || cone_of_soil().into(),
-        start: [0.0; 6],
-        parts: || pressed(&of_cone()),
-        times: any_time,
-        answer: |stiffer, strain| pressed_to(&of_cone(), stiffer, strain),
-    },
-    Path {
-        name: "shear to and fro, von Mises",
-        exact: true,
-        law: || VonMises::new(YOUNG, POISSON, YIELD, HARDENING).into(),
-        start: [0.0; 6],
-        parts: || {
+    path(
+        "oedometer, von Mises",
+        || VonMises::new(YOUNG, POISSON, YIELD, HARDENING).into(),
+        || pressed(&of_mises()),
+        |stiffer, strain| pressed_to(&of_mises(), stiffer, strain),
+    ),
+    path(
+        "oedometer, Tresca",
+        || Tresca::new(YOUNG, POISSON, 0.5 * YIELD).into(),
+        || pressed(&of_tresca()),
+        |stiffer, strain| pressed_to(&of_tresca(), stiffer, strain),
+    ),
+    path(
+        "oedometer, Mohr-Coulomb",
+        || MohrCoulomb::new(YOUNG, POISSON_OF_SOIL, SOIL).into(),
+        || pressed(&of_soil()),
+        |stiffer, strain| pressed_to(&of_soil(), stiffer, strain),
+    ),
+    path(
+        "oedometer, Drucker-Prager",
+        || cone_of_soil().into(),
+        || pressed(&of_cone()),
+        |stiffer, strain| pressed_to(&of_cone(), stiffer, strain),
+    ),
+    path(
+        "shear to and fro, von Mises",
+        || VonMises::new(YOUNG, POISSON, YIELD, HARDENING).into(),
+        || {
             let [_, first] = shear_limit();
             let there = sheared((BEYOND - 1.0) * first);
             vec![sheared(first), there, sheared(-BACK * first)]
         },
-        times: any_time,
-        answer: |stiffer, way| {
+        |stiffer, way| {
             let [limit, first] = shear_limit();
             let moduli = [lame(POISSON)[1], HARDENING * stiffer];
             let there = way.min(BEYOND * first);
             let shear = to_and_fro(moduli, limit, there, way - there);
             [0.0, 0.0, 0.0, 0.0, 0.0, shear]
         },
-    },
+    ),
     Path {
-        name: "shear, Mohr-Coulomb that dilates",
-        exact: true,
-        law: || MohrCoulomb::new(YOUNG, POISSON, DILATANT).into(),
         start: [-PRESSURE, -PRESSURE, -PRESSURE, 0.0, 0.0, 0.0],
-        parts: || {
-            let first = first_of_dilatant();
-            vec![sheared(first), sheared((BEYOND - 1.0) * first)]
-        },
-        times: any_time,
-        answer: |stiffer, angle| {
-            let [lambda, shear] = lame(POISSON);
-            let [mean, tau] = held_dilation([stiffer * lambda, shear], -PRESSURE, DILATANT, angle);
-            // Nothing says here what the stress across the plane is.
-            [mean, mean, f64::NAN, 0.0, 0.0, tau]
-        },
+        ..path(
+            "shear, Mohr-Coulomb that dilates",
+            || MohrCoulomb::new(YOUNG, POISSON, DILATANT).into(),
+            || {
+                let first = first_of_dilatant();
+                vec![sheared(first), sheared((BEYOND - 1.0) * first)]
+            },
+            |stiffer, angle| {
+                let [lambda, shear] = lame(POISSON);
+                let moduli = [stiffer * lambda, shear];
+                let [mean, tau] = held_dilation(moduli, -PRESSURE, DILATANT, angle);
+                // Nothing says here what the stress across the plane is.
+                [mean, mean, f64::NAN, 0.0, 0.0, tau]
+            },
+        )
     },
     Path {
-        name: "shear of a stressed von Mises",
         exact: false,
-        law: || VonMises::new(YOUNG, POISSON, YIELD, 0.0).into(),
         // On the surface, without shear.
         start: [2.0 / 3.0 * YIELD, -YIELD / 3.0, -YIELD / 3.0, 0.0, 0.0, 0.0],
-        parts: || {
-            let [_, first] = shear_limit();
-            vec![[0.0; 6], sheared(1.5 * first)]
-        },
-        times: any_time,
-        answer: |stiffer, angle| {
-            let [limit, _] = shear_limit();
-            let [tau, left] = turned(stiffer * lame(POISSON)[1], limit, angle);
-            let across = -YIELD / 3.0 * left;
-            [-2.0 * across, across, across, 0.0, 0.0, tau]
-        },
+        ..path(
+            "shear of a stressed von Mises",
+            || VonMises::new(YOUNG, POISSON, YIELD, 0.0).into(),
+            || vec![[0.0; 6], sheared(1.5 * shear_limit()[1])],
+            |stiffer, angle| {
+                let [limit, _] = shear_limit();
+                let [tau, left] = turned(stiffer * lame(POISSON)[1], limit, angle);
+                let across = -YIELD / 3.0 * left;
+                [-2.0 * across, across, across, 0.0, 0.0, tau]
+            },
+        )
     },
     Path {
-        name: "shear of soil under weight, Mohr-Coulomb",
         exact: false,
-        law: || MohrCoulomb::new(YOUNG, POISSON, FIRM).into(),
         start: [WEIGHT[0], WEIGHT[1], WEIGHT[2], 0.0, 0.0, 0.0],
-        parts: || {
-            let first = soil_under_weight(1.0).first();
-            vec![sheared(first), sheared(angle_under_weight() - first)]
-        },
-        times: any_time,
-        answer: |stiffer, angle| {
-            let [x, y, tau] = soil_under_weight(stiffer).at(angle);
-            [x, y, WEIGHT[2], 0.0, 0.0, tau]
-        },
+        ..path(
+            "shear of soil under weight, Mohr-Coulomb",
+            || MohrCoulomb::new(YOUNG, POISSON, FIRM).into(),
+            || {
+                let first = soil_under_weight(1.0).first();
+                vec![sheared(first), sheared(angle_under_weight() - first)]
+            },
+            |stiffer, angle| {
+                let [x, y, tau] = soil_under_weight(stiffer).at(angle);
+                [x, y, WEIGHT[2], 0.0, 0.0, tau]
+            },
+        )
     },
     Path {
-        name: "start of flow, Bingham",
         exact: false,
-        law: || Bingham::new(BULK, MUD[1], MUD[2], MUD[0]).into(),
-        start: [0.0; 6],
-        parts: || times_of_mud().map(|time| sheared(RATE * time)).to_vec(),
         times: times_of_mud,
-        answer: |stiffer, angle| {
-            let [shear, viscosity, limit] = MUD;
-            let tau = bingham([stiffer * shear, viscosity, limit], RATE, angle / RATE);
-            [0.0, 0.0, 0.0, 0.0, 0.0, tau]
-        },
+        ..path(
+            "start of flow, Bingham",
+            || Bingham::new(BULK, MUD[1], MUD[2], MUD[0]).into(),
+            || times_of_mud().map(|time| sheared(RATE * time)).to_vec(),
+            |stiffer, angle| {
+                let [shear, viscosity, limit] = MUD;
+                let tau = bingham([stiffer * shear, viscosity, limit], RATE, angle / RATE);
+                [0.0, 0.0, 0.0, 0.0, 0.0, tau]
+            },
+        )
     },
     Path {
-        name: "undrained, Cam clay",
         exact: false,
-        law: || clay::law().into(),
         start: [-PRESSURE, -PRESSURE, -PRESSURE, 0.0, 0.0, 0.0],
-        parts: || vec![[0.0; 6], [0.01, 0.01, -0.02, 0.0, 0.0, 0.0]],
-        times: any_time,
-        answer: clay::undrained,
+        ..path(
+            "undrained, Cam clay",
+            || clay::law().into(),
+            || vec![[0.0; 6], [0.01, 0.01, -0.02, 0.0, 0.0, 0.0]],
+            clay::undrained,
+        )
     },
     // At rest the stress ratio of first compression stays, and ln v is straight in ln p.
     Path {
-        name: "oedometer, Cam clay",
         exact: false,
-        law: || clay::law().into(),
-        start: [
-            -clay::AT_REST[0],
-            -clay::AT_REST[0],
-            -clay::AT_REST[1],
-            0.0,
-            0.0,
-            0.0,
-        ],
-        parts: || vec![[0.0; 6], along(-0.02)],
-        times: any_time,
-        answer: clay::at_rest,
+        start: clay::STRESS_AT_REST,
+        ..path(
+            "oedometer, Cam clay",
+            || clay::law().into(),
+            || vec![[0.0; 6], along(-0.02)],
+            clay::at_rest,
+        )
     },
 ];
 
@@ -306,11 +305,7 @@ impl Path {
         let mut done = 0.0;
         let mut states = vec![(done, self.start)];
         for (part, strain) in (self.parts)().iter().enumerate() {
-            let (count, time) = if part == 0 {
-                (1, first)
-            } else {
-                (steps, others)
-            };
+            let (count, time) = [(1, first), (steps, others)][part.min(1)];
             let part = strain[2].abs() + 2.0 * strain[5].abs();
             let each = strain.map(|e| e / f64::from(count));
             for step in 1..=count {
@@ -340,23 +335,17 @@ impl Path {
 
     fn curve(&self, states: &[(f64, [f64; 6])], stiffer: f64) -> Curve {
         let every = (states.len() as u32).div_ceil(SHOWN) as usize;
-        let point = |(way, stress): &(f64, [f64; 6])| {
-            CurvePoint::new(
-                *way,
-                self.shown(stress),
-                self.shown(&(self.answer)(stiffer, *way)),
-            )
+        let point = |&(way, stress): &(f64, [f64; 6])| {
+            let answer = (self.answer)(stiffer, way);
+            CurvePoint::new(way, self.shown(&stress), self.shown(&answer))
         };
-        let [abscissa, ordinate] = if self.is_pressed() {
+        let names = if self.is_pressed() {
             ["compression (1)", "stress along the axis (Pa)"]
         } else {
             ["angle, to and fro (1)", "shear stress (Pa)"]
         };
-        Curve::new(
-            self.name.to_owned(),
-            [abscissa, ordinate],
-            states.iter().step_by(every).map(point),
-        )
+        let points = states.iter().step_by(every).map(point);
+        Curve::new(self.name.to_owned(), names, points)
     }
 }
 
@@ -373,10 +362,37 @@ pub static ELEMENT: Case = Case::new(
 .ladder(Ladder::made(rungs))
 .scene(scene)
 .solve_by(solve)
-.judge_by(judge)
+.gates_of_variants(&[
+    error(STRESS)
+        .at_most(1e-14, "the direction of flow stays: exact for any step")
+        .of_each()
+        .on(|rung| path_of(rung).is_some_and(|path| path.exact)),
+    order(STRESS).at_least(0.95, IMPLICIT).on(has_order),
+    reciprocal_order(STRESS)
+        .at_least(1.0 / 1.05, IMPLICIT)
+        .on(has_order),
+    returns::gate(returns::YIELD, 1e-14, returns::ROUND_OFF),
+    returns::gate(returns::AGAIN, 1e-14, returns::ROUND_OFF),
+    returns::gate(returns::TURNED, 1e-14, returns::ROUND_OFF),
+    returns::gate(
+        returns::WORK,
+        1e-14,
+        "plastic flow dissipates, to round-off",
+    ),
+    returns::gate(returns::LANES, 0.0, "one set of bits"),
+    returns::gate(returns::CORNERS, 1e-14, returns::ROUND_OFF),
+])
+.tables(&[TableRule::new("{variant}", &[STRESS])
+    .of(|variant| PATHS.iter().any(|path| path.name == variant && !path.exact))])
 .wrong_references(&[WRONG_STIFFNESS, WRONG_STRENGTH])
 .no_study("no grid takes part, so that weighting functions, schemes and transfers have no say")
 .no_guest("no grid takes part: it is the law alone");
+
+const IMPLICIT: &str = "an implicit return: order 1";
+
+fn has_order(rung: &Rung) -> bool {
+    path_of(rung).is_some_and(|path| !path.exact)
+}
 
 fn found(reference: Reference, path: &Path, steps: u32) -> Result<Measurements, String> {
     let states = path.walk(steps)?;
@@ -384,9 +400,8 @@ fn found(reference: Reference, path: &Path, steps: u32) -> Result<Measurements, 
     let (way, found) = states[states.len() - 1];
     let answer = (path.answer)(stiffer, way);
     let known = || found.iter().zip(&answer).filter(|(_, s)| !s.is_nan());
-    let size = known().fold(0.0_f64, |most, (_, s)| most.max(s.abs()));
-    let off = known().map(|(found, s)| (found - s).abs());
-    let off = off.fold(0.0, |most, x| if x <= most { most } else { x });
+    let size = largest(known().map(|(_, s)| s.abs()));
+    let off = largest(known().map(|(found, s)| (found - s).abs()));
     let quantities = vec![Quantity::of_zero(STRESS, off / size)];
     Ok(Measurements::of(quantities).drawn(path.curve(&states, stiffer)))
 }
@@ -402,43 +417,13 @@ fn path_of(rung: &Rung) -> Option<&'static Path> {
 
 fn rungs(size: Size) -> Vec<Rung> {
     let paths = PATHS.iter().flat_map(|path| {
-        let steps = if path.exact {
-            ANY
-        } else {
-            LADDER[size as usize]
-        };
+        let ladder = LADDER[size as usize];
+        let steps = if path.exact { ANY } else { ladder };
         Rung::counted(path.name, &format!("{}, steps", path.name), 1.0, steps)
     });
     let word = "states of each law";
     let states = Rung::counted(RETURNS, word, 1.0, STATES[size as usize]);
     paths.chain(states).collect()
-}
-
-fn judge(runs: &Runs<'_>) -> Verdict {
-    let mut verdict = Verdict::default();
-    for path in &PATHS {
-        if path.exact {
-            for rung in runs.rungs.iter().filter(|rung| rung.variant == path.name) {
-                let why = "the direction of flow stays: exact for any step";
-                let gate = runs.error_at_most(&rung.label, STRESS, 1e-14, why);
-                verdict.gates.push(gate);
-            }
-            continue;
-        }
-        let table = runs.table(Some(path.name), &[STRESS]);
-        let why = "an implicit return: order 1";
-        let within = [
-            order(STRESS).at_least(0.95, why),
-            reciprocal_order(STRESS).at_least(1.0 / 1.05, why),
-        ];
-        let gates = within.map(|rule| runs.gate_of(path.name, &rule));
-        verdict.gates.extend(gates);
-        verdict.tables.push((path.name.to_owned(), table));
-    }
-    for rung in runs.rungs.iter().filter(|rung| rung.variant == RETURNS) {
-        verdict.gates.extend(returns::gates(runs, rung));
-    }
-    verdict
 }
 
 /// The material of the path in a block that is never stepped: a point needs no mesh.

@@ -25,7 +25,7 @@ struct Problem {
     /// Cells, coarse to fine; the full ladder has one more.
     cells: &'static [u32],
     scene: fn(&Rung) -> Scene,
-    run: fn(Reference, &Rung, &mut Simulation, &mut dyn Observer) -> Result<Measurements, Failure>,
+    run: fn(Run<'_>) -> Result<Measurements, Failure>,
     gates: &'static [GateRule],
     /// Quantities of its table.
     names: &'static [&'static str],
@@ -57,14 +57,14 @@ pub static FLUID: Case = Case::new(
     "Do fluids rest, sound and flow as their closed forms say?",
 )
 .ladder(Ladder::made(rungs))
-.scene(scene)
+.scene(|rung, _| (problem(rung).scene)(rung))
 .displacements()
 .residual()
 .options(|rung, _, options| Options {
     initial: sound::initial(rung),
     ..options
 })
-.run(compare)
+.run(|run| (problem(run.rung).run)(run))
 .judge_by(judge)
 .wrong_references(&[WRONG_VISCOSITY, WRONG_FORCE])
 .no_study("its problems have methods and steps of their own")
@@ -75,45 +75,28 @@ fn problem(rung: &Rung) -> &'static Problem {
     PROBLEMS.iter().find(own).unwrap_or(&PROBLEMS[0])
 }
 
-fn rungs(size: Size) -> Vec<Rung> {
-    let of = |problem: &&Problem| {
-        let mut cells = problem.cells.to_vec();
-        if size == Size::Full {
-            cells.extend(problem.cells.last().map(|last| 2 * last));
-        }
-        Rung::counted(
-            problem.variant,
-            &format!("{} cells", problem.variant),
-            1.0,
-            &cells,
-        )
-    };
-    PROBLEMS.iter().flat_map(of).collect()
-}
-
+/// Gates and tables, problem by problem.
 fn judge(runs: &Runs<'_>) -> Verdict {
     let mut verdict = Verdict::default();
-    for Problem {
-        variant,
-        gates,
-        names,
-        ..
-    } in PROBLEMS
-    {
-        let gates = gates.iter().map(|gate| runs.gate_of(variant, gate));
+    for problem in PROBLEMS {
+        let (variant, table) = (
+            problem.variant,
+            runs.table(Some(problem.variant), problem.names),
+        );
+        let gates = problem.gates.iter().map(|gate| runs.gate_of(variant, gate));
         verdict.gates.extend(gates);
-        let table = runs.table(Some(variant), names);
         verdict.tables.push((format!("fluid, {variant}"), table));
     }
     verdict
 }
 
-fn scene(rung: &Rung, _: &Settings) -> Scene {
-    (problem(rung).scene)(rung)
-}
-
-fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
-    let (rung, reference) = (run.rung, run.reference);
-    let (simulation, observer) = (run.simulation, run.observer);
-    (problem(rung).run)(reference, rung, simulation, observer)
+fn rungs(size: Size) -> Vec<Rung> {
+    let of = |problem: &&Problem| {
+        let (variant, mut cells) = (problem.variant, problem.cells.to_vec());
+        if size == Size::Full {
+            cells.extend(problem.cells.last().map(|last| 2 * last));
+        }
+        Rung::counted(variant, &format!("{variant} cells"), 1.0, &cells)
+    };
+    PROBLEMS.iter().flat_map(of).collect()
 }

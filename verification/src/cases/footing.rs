@@ -39,6 +39,8 @@ const SHARE: &str = "load over the exact one";
 /// The load as the pressure on B + h, half a cell more on each side.
 const WIDER: &str = "load on B + h over the exact one";
 
+const LOCKED: &str = "locked"; // Ground without means over cells
+
 /// Problem of a rung.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Variant {
@@ -75,7 +77,7 @@ static VARIANTS: [Variant; 7] = [
         ..CLAY
     },
     Variant {
-        name: "locked",
+        name: LOCKED,
         volumes: VolumetricStrain::Particle,
         cells: [&[8], &[8, 16]],
         ..CLAY
@@ -155,8 +157,7 @@ impl Variant {
             f if f < 25.0 => 150.0,
             _ => 300.0,
         };
-        let speed = (YOUNG / (2.0 * (1.0 + self.poisson())) / DENSITY).sqrt();
-        times * WIDTH / speed
+        times * WIDTH / s_wave_speed(YOUNG, self.poisson(), DENSITY)
     }
 }
 
@@ -169,7 +170,34 @@ pub static FOOTING: Case = Case::new("footing", "What does ground carry below a 
     .ladder(Ladder::made(rungs))
     .scene(scene)
     .solve_by(solve)
-    .judge_by(judge)
+    .gates_of_variants(&[
+    value(SHARE)
+        .at_least(
+            1.2,
+            "locked: ground that did not lock without means over cells would prove nothing of them",
+        )
+        .of_each()
+        .on(locks),
+    footing::above(
+        |rung| 0.8 * footing::coarse(rung, WIDTH),
+        "five percent at h = B/16, and as much more in larger cells",
+    )
+    .on(|rung| yields_with(rung, false)),
+    footing::above(
+        |rung| 2.0 * footing::coarse(rung, WIDTH),
+        "the moving part is at most as wide as the footing and a cell on either side",
+    )
+    .on(|rung| yields_with(rung, true)),
+    footing::below(1.0, "loads come from above: the nodes have fewer ways to move than the ground")
+        .on(|rung| !locks(rung)),
+    footing::ORDER.on(|rung| !locks(rung)),
+])
+    .tables(&[TableRule::new("footing, {variant}, linear, USL, FLIP", &[LOAD]).of(|name| name != LOCKED)])
+    .line_of_each(|rung, run| locks(rung).then(|| format!(
+        "{}: locked, {:.2} times the exact load without means over cells, and no limit",
+        rung.label,
+        run.value(SHARE)
+    )))
     .wrong_references(&[WRONG_STRENGTH, STRONGER, WRONG_FRICTION])
 .refer_by(refer)
     .no_study("its load is a limit that means over cells decide, which are no setting of a study, and a run takes minutes")
@@ -221,83 +249,23 @@ fn sink(
 }
 
 fn rungs(size: Size) -> Vec<Rung> {
-    let of = |variant: &'static Variant| {
-        let cells = variant.cells[usize::from(size == Size::Full)];
-        let word = format!("{}, B/h", variant.name);
-        let rungs = Rung::counted(variant.name, &word, WIDTH, cells);
-        rungs.into_iter().map(|rung| rung.with(*variant))
-    };
-    VARIANTS.iter().flat_map(of).collect()
+    let cells = |variant: &Variant| variant.cells[usize::from(size == Size::Full)];
+    Rung::of_problems(&VARIANTS, |v| v.name, "B/h", WIDTH, cells)
 }
 
-fn judge(runs: &Runs<'_>) -> Verdict {
-    let mut verdict = Verdict::default();
-    let above = "loads come from above: the nodes have fewer ways to move than the ground";
-    for variant in VARIANTS {
-        let own = runs
-            .rungs
-            .iter()
-            .filter(|rung| rung.variant == variant.name);
-        for rung in own.clone() {
-            if variant.locks() {
-                let gate = Gate::at_least(
-                    format!("{}: {SHARE}", rung.label),
-                    runs.value(&rung.label, SHARE),
-                    1.2,
-                    "locked: ground that did not lock without means over cells would prove nothing of them",
-                );
-                verdict.gates.push(gate);
-                continue;
-            }
-            let most = if variant.friction == 0.0 {
-                (
-                    0.8,
-                    "five percent at h = B/16, and as much more in larger cells",
-                )
-            } else {
-                (
-                    2.0,
-                    "the moving part is at most as wide as the footing and a cell on either side",
-                )
-            };
-            (verdict.gates).extend(footing::gates(runs, rung, WIDTH, [most, (1.0, above)]));
-        }
-        if variant.locks() {
-            continue;
-        }
-        let table = runs.table(Some(variant.name), &[LOAD]);
-        if own.count() > 1 {
-            (verdict.gates).push(footing::order_of(runs, variant.name));
-        }
-        let title = format!("footing, {}, linear, USL, FLIP", variant.name);
-        verdict.tables.push((title, table));
-    }
-    let locked = |rung: &&Rung| rung.problem::<Variant>().locks();
-    verdict.for_the_record = runs
-        .rungs
-        .iter()
-        .filter(locked)
-        .map(|rung| {
-            format!(
-                "{}: locked, {:.2} times the exact load without means over cells, and no limit",
-                rung.label,
-                runs.value(&rung.label, SHARE)
-            )
-        })
-        .collect();
-    verdict
+fn locks(rung: &Rung) -> bool {
+    rung.problem::<Variant>().locks()
+}
+
+/// True for the rungs of ground that does not lock, with friction or without.
+fn yields_with(rung: &Rung, friction: bool) -> bool {
+    !locks(rung) && (rung.problem::<Variant>().friction > 0.0) == friction
 }
 
 fn scene(rung: &Rung, _: &Settings) -> Scene {
     let (h, variant) = (rung.cell, *rung.problem::<Variant>());
     let [wide, deep] = variant.footing().extent();
-    let cells = |length: f64| (length / h).round() as usize;
-    let mut mesh = Mesh::new(
-        Dimension::Two,
-        [0.0; 3],
-        [h; 3],
-        [cells(wide), cells(deep) + 1, 1],
-    );
+    let mut mesh = strip(h, [cells(wide, h), cells(deep, h) + 1]);
     mesh.planes[1] = [PlaneCondition::Fixed, PlaneCondition::Free];
     let mut scene = plane_scene("footing", mesh, variant.time());
     scene.volumetric_strain = variant.volumes;

@@ -150,32 +150,17 @@ impl Variant {
     }
 }
 
-/// Motion of the smooth plane that presses, nodes at the top of the specimen: it strains the specimen to the yield surface and
-/// then beyond it, each time from rest to rest.
-#[derive(Clone, Copy, Debug)]
-struct Plane {
-    /// Axial strain at which the specimen yields.
-    yields: f64,
-}
-
-impl Plane {
-    /// Strain and rate of strain \[1/s\] at a time \[s\]: both parts from rest to rest.
-    fn strain(self, time: f64) -> [f64; 2] {
-        let first = FIRST * TIME;
-        let (from, by, begins, takes) = if time < first {
-            (0.0, self.yields, 0.0, first)
-        } else {
-            let more = (BEYOND - 1.0) * self.yields;
-            (self.yields, more, first, TIME - first)
-        };
-        let [share, rate] = smooth((time - begins) / takes);
-        [from + by * share, by * (rate / takes)]
-    }
-
-    /// Velocity at a time \[s\], downwards \[m/s\].
-    fn velocity(self, time: f64) -> f64 {
-        -HEIGHT * self.strain(time)[1]
-    }
+/// Strain and rate of strain \[1/s\] below the smooth plane that presses, nodes at the top of the specimen, at a time \[s\]: to the
+/// strain at which the specimen yields and then beyond it, each time from rest to rest.
+fn strained(yields: f64, time: f64) -> [f64; 2] {
+    let first = FIRST * TIME;
+    let (from, by, begins, takes) = if time < first {
+        (0.0, yields, 0.0, first)
+    } else {
+        (yields, (BEYOND - 1.0) * yields, first, TIME - first)
+    };
+    let [share, rate] = smooth((time - begins) / takes);
+    [from + by * share, by * (rate / takes)]
 }
 
 const WRONG_STRENGTH: Wrong = Wrong::factor("strength", 1.2).breaks(|gate| gate.contains("stress"));
@@ -217,15 +202,13 @@ impl Off {
     /// on it.
     fn new(simulation: &Simulation, path: &[(f64, State)]) -> Self {
         let end = path.last().map_or_else(State::default, |(_, end)| *end);
-        let volumes = path.iter().map(|(_, state)| state.volume.abs());
+        let strength = (end.stress[1] - end.stress[0]).abs();
+        let largest = largest(path.iter().map(|(_, state)| state.volume.abs()));
+        let particles = 0..simulation.sets()[0].len();
+        let volumes = particles.map(|p| simulation.particle_volume(0, p));
         Self {
-            volumes: (0..simulation.sets()[0].len())
-                .map(|p| simulation.particle_volume(0, p))
-                .collect(),
-            scales: [
-                (end.stress[1] - end.stress[0]).abs(),
-                volumes.fold(0.0, f64::max),
-            ],
+            volumes: volumes.collect(),
+            scales: [strength, largest],
             most: [0.0; 2],
         }
     }
@@ -234,28 +217,23 @@ impl Off {
     fn compare(&mut self, simulation: &Simulation, state: &State) {
         for (p, volume) in self.volumes.iter().enumerate() {
             let grown = libm::log(simulation.particle_volume(0, p) / volume);
-            keep(&mut self.most[1], (grown - state.volume) / self.scales[1]);
+            let off = ((grown - state.volume) / self.scales[1]).abs();
+            self.most[1] = larger(self.most[1], off);
             let stress = simulation.sets()[0].stress(p);
             // There is no shear.
             let exact = state.stress.into_iter().chain([0.0; 3]);
             for (s, exact) in stress.into_iter().zip(exact) {
-                keep(&mut self.most[0], (s - exact) / self.scales[0]);
+                self.most[0] = larger(self.most[0], ((s - exact) / self.scales[0]).abs());
             }
         }
     }
 
-    fn quantities(&self) -> Vec<Quantity> {
-        let named = [STRESS, VOLUME].into_iter().zip(self.most);
-        named
-            .map(|(name, off)| Quantity::of_zero(name, off))
-            .collect()
-    }
-}
-
-/// Keeps the larger size; what is no number stays.
-fn keep(most: &mut f64, off: f64) {
-    if off.abs() > *most || off.is_nan() {
-        *most = off.abs();
+    fn quantities(&self) -> [Quantity; 2] {
+        let [stress, volume] = self.most;
+        [
+            Quantity::of_zero(STRESS, stress),
+            Quantity::of_zero(VOLUME, volume),
+        ]
     }
 }
 
@@ -287,33 +265,26 @@ fn exact(reference: Reference, variant: Variant) -> Specimen {
     }
 }
 
-fn plane(rung: &Rung) -> Plane {
-    Plane {
-        yields: exact(Reference::CORRECT, *rung.problem::<Variant>()).yields_at(),
-    }
+/// Axial strain at which the specimen of a rung yields.
+fn yields_at(rung: &Rung) -> f64 {
+    exact(Reference::CORRECT, *rung.problem::<Variant>()).yields_at()
 }
 
 /// Axial strains and states of the exact specimen at equal shares of the time.
 fn path(reference: Reference, rung: &Rung) -> Vec<(f64, State)> {
-    let plane = plane(rung);
-    let strain = |k| plane.strain(TIME * f64::from(k) / f64::from(STATES))[0];
+    let yields = yields_at(rung);
+    let strain = |k| strained(yields, TIME * f64::from(k) / f64::from(STATES))[0];
     let strains: Vec<f64> = (0..=STATES).map(strain).collect();
-    let wrong: Vec<f64> = strains
-        .iter()
-        .map(|e| reference.of(&WRONG_STRAIN) * e)
-        .collect();
+    let wrong = strains.iter().map(|e| reference.of(&WRONG_STRAIN) * e);
+    let wrong: Vec<f64> = wrong.collect();
     let states = exact(reference, *rung.problem::<Variant>()).path(&wrong);
     strains.into_iter().zip(states).collect()
 }
 
 /// Runs the test and compares the states on its way.
-fn press(
-    reference: Reference,
-    rung: &Rung,
-    simulation: &mut Simulation,
-    observer: &mut dyn Observer,
-) -> Result<Measurements, Failure> {
-    let path = path(reference, rung);
+fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
+    let (rung, simulation, observer) = (run.rung, run.simulation, run.observer);
+    let path = path(run.reference, rung);
     let mut off = Off::new(simulation, &path);
     let mut points = vec![];
     let look = |simulation: &Simulation, k: usize| {
@@ -337,17 +308,11 @@ fn press(
 }
 
 fn rungs(size: Size) -> Vec<Rung> {
-    let counts: &[u32] = match size {
+    let counts: &'static [u32] = match size {
         Size::Quick => &[2],
         Size::Full => &[2, 4],
     };
-    VARIANTS
-        .iter()
-        .flat_map(|v| {
-            let rungs = Rung::counted(v.name, &format!("{}, H/h", v.name), HEIGHT, counts);
-            rungs.into_iter().map(|rung| rung.with(*v))
-        })
-        .collect()
+    Rung::of_problems(&VARIANTS, |v| v.name, "H/h", HEIGHT, |_| counts)
 }
 
 fn scene(rung: &Rung, _: &Settings) -> Scene {
@@ -375,12 +340,9 @@ fn scene(rung: &Rung, _: &Settings) -> Scene {
 }
 
 fn options(rung: &Rung, _: Reference, mut options: Options) -> Options {
-    let plane = plane(rung);
-    let press = Press::smooth(HEIGHT, rung.cell, move |time| plane.velocity(time));
+    let yields = yields_at(rung);
+    let velocity = move |time| -HEIGHT * strained(yields, time)[1];
+    let press = Press::smooth(HEIGHT, rung.cell, velocity);
     options.conditions.push(Arc::new(press));
     options
-}
-
-fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
-    press(run.reference, run.rung, run.simulation, run.observer)
 }

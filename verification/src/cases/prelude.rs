@@ -12,14 +12,14 @@ pub(crate) use proctor_laws::{
     NeoHookean, Newtonian, ObjectiveRate, Residual, Softening, Tresca, VonMises,
 };
 pub(crate) use proctor_scene::simulation::{
-    Condition, FieldNodes, InitialField, InitialState, Options, Simulation, StepError,
+    InitialField, InitialState, Options, Simulation, StepError,
 };
 pub(crate) use proctor_scene::{
     BaseMotion, Body, BodyBoundary, BoxLoad, Contact, ContactNormal, Damping, Dimension,
     DomainUpdate, Field, HeldBox, History, InitialPressure, InitialStress, Material, Mesh, Mortar,
     MortarContact, Motion, ParticleSeed, PlaneCondition, PointLoad, PoreWater, Results,
-    RigidFacets, RigidLine, RigidSurface, Scene, Shape, StressScheme, TimeStep, Traction,
-    TransferKind, Vector, Vertices, VolumetricStrain, Weighting,
+    RigidFacets, RigidLine, RigidSurface, Scene, Shape, StressScheme, TimeStep, Traction, TransferKind, Vector,
+    Vertices, VolumetricStrain, Weighting,
 };
 
 pub(crate) use super::vocabulary::mortar::{self, *};
@@ -29,7 +29,7 @@ pub(crate) use super::vocabulary::stepping::*;
 pub(crate) use super::vocabulary::wet::*;
 pub(crate) use super::{FIELDS, PARTED, STRESS_MEASURE, known_reference};
 pub(crate) use crate::case::gates::{
-    GateRule, Runs, TableRule, error, order, reciprocal_order, value, worst,
+    GateRule, Runs, TableRule, error, excess, order, reciprocal_order, share, value, worst,
 };
 pub(crate) use crate::case::ladder::Ladder;
 pub(crate) use crate::case::wrong::{Reference, Wrong};

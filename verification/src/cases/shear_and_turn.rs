@@ -10,6 +10,7 @@
 //! compression, (lambda + G) 4 pi²/N. Cells shrink with the step. `proctor verify shear-and-turn`.
 
 use super::prelude::*;
+use super::vocabulary::moved::SetVelocity;
 use crate::exact::objective_rate::{
     PlaneStress, Update, deviator, growth_per_turn, sheared, sheared_by, turned_by,
 };
@@ -40,50 +41,36 @@ struct Variant {
     dimension: Dimension,
 }
 
-const fn variant(name: &'static str, turns: bool, update: Update, dimension: Dimension) -> Variant {
+const fn shear(name: &'static str, update: Update, dimension: Dimension) -> Variant {
     Variant {
         name,
-        turns,
+        turns: false,
         update,
         dimension,
     }
 }
 
-const VARIANTS: [Variant; 8] = [
-    variant(
-        "shear, Hughes-Winget",
-        false,
-        Update::HughesWinget,
-        Dimension::Two,
-    ),
-    variant("shear, Jaumann", false, Update::Forward, Dimension::Two),
-    variant(
-        "turns, Hughes-Winget",
-        true,
-        Update::HughesWinget,
-        Dimension::Two,
-    ),
-    variant("turns, Jaumann", true, Update::Forward, Dimension::Two),
-    variant(
-        "shear, Hughes-Winget 3D",
-        false,
-        Update::HughesWinget,
-        Dimension::Three,
-    ),
-    variant(
-        "shear, Jaumann 3D",
-        false,
-        Update::Forward,
-        Dimension::Three,
-    ),
-    variant(
-        "turns, Hughes-Winget 3D",
-        true,
-        Update::HughesWinget,
-        Dimension::Three,
-    ),
-    variant("turns, Jaumann 3D", true, Update::Forward, Dimension::Three),
-];
+const fn turns(name: &'static str, update: Update, dimension: Dimension) -> Variant {
+    Variant {
+        turns: true,
+        ..shear(name, update, dimension)
+    }
+}
+
+const VARIANTS: [Variant; 8] = {
+    use Dimension::{Three, Two};
+    use Update::{Forward, HughesWinget};
+    [
+        shear("shear, Hughes-Winget", HughesWinget, Two),
+        shear("shear, Jaumann", Forward, Two),
+        turns("turns, Hughes-Winget", HughesWinget, Two),
+        turns("turns, Jaumann", Forward, Two),
+        shear("shear, Hughes-Winget 3D", HughesWinget, Three),
+        shear("shear, Jaumann 3D", Forward, Three),
+        turns("turns, Hughes-Winget 3D", HughesWinget, Three),
+        turns("turns, Jaumann 3D", Forward, Three),
+    ]
+};
 
 impl Variant {
     /// Steps until all of the shear, or in a turn; cells of a rung are as large as one of them.
@@ -124,43 +111,24 @@ impl Variant {
         })
     }
 
-    /// Motion of all nodes.
-    fn motion(self, rung: &Rung, dt: f64) -> NodeMotion {
+    /// Velocity of all nodes by place: one gradient \[1/s\] about a point, at steps of a length \[s\].
+    fn motion(self, rung: &Rung, dt: f64) -> impl Fn(Vector) -> Vector + Copy + use<> {
         let lower = self.lower(rung.cell);
-        if self.turns {
-            let (sin, cos) = libm::sincos(TAU / f64::from(Self::steps_per(rung)));
+        let per = f64::from(Self::steps_per(rung));
+        let (about, gradient) = if self.turns {
+            let (sin, cos) = libm::sincos(TAU / per);
             let half = 0.5 * WIDE * rung.cell;
-            return NodeMotion {
-                about: [lower[0] + half, lower[1] + half],
-                gradient: [[(cos - 1.0) / dt, -sin / dt], [sin / dt, (cos - 1.0) / dt]],
-            };
+            let gradient = [[(cos - 1.0) / dt, -sin / dt], [sin / dt, (cos - 1.0) / dt]];
+            ([lower[0] + half, lower[1] + half], gradient)
+        } else {
+            let rate = SHEAR / (per * dt);
+            ([lower[0], lower[1]], [[0.0, rate], [0.0, 0.0]])
+        };
+        move |x| {
+            let [a, b] = [x[0] - about[0], x[1] - about[1]];
+            let [u, v] = gradient.map(|row| row[0] * a + row[1] * b);
+            [u, v, 0.0]
         }
-        let rate = SHEAR / (f64::from(Self::steps_per(rung)) * dt);
-        NodeMotion {
-            about: [lower[0], lower[1]],
-            gradient: [[0.0, rate], [0.0, 0.0]],
-        }
-    }
-}
-
-/// All nodes move by one velocity gradient \[1/s\] about a point \[m\].
-#[derive(Clone, Copy, Debug)]
-struct NodeMotion {
-    about: [f64; 2],
-    gradient: [[f64; 2]; 2],
-}
-
-impl NodeMotion {
-    fn velocity(&self, x: [f64; 3]) -> [f64; 3] {
-        let [a, b] = [x[0] - self.about[0], x[1] - self.about[1]];
-        let [u, v] = self.gradient.map(|row| row[0] * a + row[1] * b);
-        [u, v, 0.0]
-    }
-}
-
-impl Condition for NodeMotion {
-    fn after(&self, field: &mut FieldNodes<'_, '_>) {
-        field.for_each(|node| node.set_velocity(self.velocity(node.position())));
     }
 }
 
@@ -180,12 +148,51 @@ pub static SHEAR_AND_TURN: Case = Case::new(
 .scene(scene)
 .options(options)
 .compare(compare)
-.judge_by(judge)
+.gates_of_variants(&[
+    error(PREDICTED)
+        .at_most(1e-9, "the closed form of the update; round-off of some thousand steps is left")
+        .of_each(),
+    turned(error(GROWTH).at_most(1e-10, KEPT)),
+    turned(error(PRESSURE).at_most(1e-10, KEPT)),
+    grown(GROWTH, "the next term is 92/N² of exp(8 pi²/N)"),
+    grown(PRESSURE, "chords for strain, 1 - cos"),
+    error(OFF)
+        .at_most_by(|rung| SHEAR / steps(rung), "the strain of a step is not turned by half")
+        .on(|rung| kind(rung) == (false, Update::HughesWinget)),
+    error(OFF)
+        .at_most_by(
+            |rung| (1.0 + SHEAR) * (SHEAR / steps(rung)),
+            "the strain of a step is not turned by half, and the stress grows by half of its square",
+        )
+        .on(|rung| kind(rung) == (false, Update::Forward)),
+    order(OFF)
+        .at_least(0.95, "order 1: the strain is not turned")
+        .on(|rung| !kind(rung).0)
+        .of_several(),
+])
+.tables(&[TableRule::new("{variant} to 3", &[OFF]).of(|variant| variant.starts_with("shear"))])
+.line_of_each(line)
 .wrong_references(&[WRONG_STIFFNESS, WRONG_RATE])
 .no_study(
     "all nodes move as prescribed, so that weighting functions, schemes and transfers have no say",
 )
 .no_guest("all nodes move as prescribed, and no scene file can say that");
+
+const KEPT: &str = "turned by the midpoint rule a stress keeps its size";
+
+/// Gate on turns by the midpoint rule.
+const fn turned(gate: GateRule) -> GateRule {
+    gate.of_each()
+        .on(|rung| kind(rung) == (true, Update::HughesWinget))
+}
+
+/// Gate on what grows in turns by the forward rate.
+const fn grown(quantity: &'static str, reason: &'static str) -> GateRule {
+    error(quantity)
+        .at_most_by(|rung| 100.0 / (steps(rung) * steps(rung)), reason)
+        .of_each()
+        .on(|rung| kind(rung) == (true, Update::Forward))
+}
 
 fn update(reference: Reference, variant: Variant) -> Update {
     match (variant.update, reference.of(&WRONG_RATE) != 0.0) {
@@ -194,12 +201,9 @@ fn update(reference: Reference, variant: Variant) -> Update {
     }
 }
 
-fn quantities(
-    reference: Reference,
-    variant: Variant,
-    rung: &Rung,
-    simulation: &Simulation,
-) -> Vec<Quantity> {
+fn compare(run: &mut Run<'_>) -> Result<Measurements, Failure> {
+    let (rung, reference) = (run.rung, run.reference);
+    let variant = *rung.problem::<Variant>();
     let elasticity = LAW.elasticity();
     let stiffness = reference.of(&WRONG_STIFFNESS);
     let constants = [stiffness * elasticity.lambda, stiffness * elasticity.shear];
@@ -211,31 +215,25 @@ fn quantities(
         sheared_by(update, SHEAR, steps).map(|s| constants[1] * s)
     };
     // The particle that is farthest off; all have the same history.
-    let largest = |of: &dyn Fn(PlaneStress) -> f64| {
-        let set = &simulation.sets()[0];
-        (0..set.len())
-            .map(|p| set.stress(p))
-            .map(|s| of([s[0], s[1], s[5]]))
-            .fold(
-                0.0,
-                |worst: f64, x| if x > worst || x.is_nan() { x } else { worst },
-            )
+    let farthest = |of: &dyn Fn(PlaneStress) -> f64| {
+        let stresses = (0..run.simulation.particles()).map(|p| run.stress(p));
+        largest(stresses.map(|s| of([s[0], s[1], s[5]])))
     };
     let apart = |a: PlaneStress, b: PlaneStress| {
         libm::hypot(libm::hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2])
     };
     let size = libm::hypot(deviator(predicted), predicted[0] + predicted[1]);
-    let off = largest(&|s| apart(s, predicted) / size);
+    let off = farthest(&|s| apart(s, predicted) / size);
     let mut all = vec![Quantity::of_zero(PREDICTED, off)];
     if !variant.turns {
         let exact = sheared(SHEAR).map(|s| constants[1] * s);
-        let off = largest(&|s| libm::hypot(s[0] - exact[0], s[2] - exact[2]));
+        let off = farthest(&|s| libm::hypot(s[0] - exact[0], s[2] - exact[2]));
         all.push(Quantity::of_zero(OFF, off / elasticity.shear));
-        return all;
+        return Ok(Measurements::of(all));
     }
-    let grown = largest(&|s| deviator(s) / deviator(STRESSED));
+    let grown = farthest(&|s| deviator(s) / deviator(STRESSED));
     let grown = libm::log(grown) / f64::from(TURNS);
-    let pressure = largest(&|s| 0.5 * (STRESSED[0] + STRESSED[1] - s[0] - s[1]));
+    let pressure = farthest(&|s| 0.5 * (STRESSED[0] + STRESSED[1] - s[0] - s[1]));
     let pressure = pressure / (f64::from(TURNS) * (elasticity.lambda + elasticity.shear));
     match variant.update {
         Update::HughesWinget => {
@@ -249,90 +247,35 @@ fn quantities(
             all.push(Quantity::compared(PRESSURE, pressure, 0.5 * growth, "1"));
         }
     }
-    all
+    Ok(Measurements::of(all))
 }
 
 fn rungs(size: Size) -> Vec<Rung> {
-    VARIANTS
-        .iter()
-        .flat_map(|variant| {
-            let steps = match (size, variant.dimension) {
-                (Size::Quick, Dimension::Three) => &STEPS[0][..1],
-                (Size::Quick, Dimension::Two) | (Size::Full, Dimension::Three) => STEPS[0],
-                (Size::Full, Dimension::Two) => STEPS[1],
-            };
-            let word = format!("{}, steps", variant.name);
-            let rungs = Rung::counted(variant.name, &word, CELLS_PER_STEP, steps);
-            rungs.into_iter().map(|rung| rung.with(*variant))
-        })
-        .collect()
+    let steps = |variant: &Variant| match (size, variant.dimension) {
+        (Size::Quick, Dimension::Three) => &STEPS[0][..1],
+        (Size::Quick, Dimension::Two) | (Size::Full, Dimension::Three) => STEPS[0],
+        (Size::Full, Dimension::Two) => STEPS[1],
+    };
+    Rung::of_problems(&VARIANTS, |v| v.name, "steps", CELLS_PER_STEP, steps)
 }
 
-fn judge(runs: &Runs<'_>) -> Verdict {
-    let mut verdict = Verdict::default();
-    for variant in VARIANTS {
-        let own: Vec<Rung> = runs
-            .rungs
-            .iter()
-            .filter(|rung| rung.variant == variant.name)
-            .cloned()
-            .collect();
-        for rung in &own {
-            let mut gate = |name, bound, reason| {
-                let gate = runs.error_at_most(&rung.label, name, bound, reason);
-                verdict.gates.push(gate);
-            };
-            gate(
-                PREDICTED,
-                1e-9,
-                "the closed form of the update; round-off of some thousand steps is left",
-            );
-            let n = f64::from(Variant::steps_per(rung));
-            match (variant.turns, variant.update) {
-                (false, _) => {}
-                (true, Update::HughesWinget) => {
-                    let why = "turned by the midpoint rule a stress keeps its size";
-                    gate(GROWTH, 1e-10, why);
-                    gate(PRESSURE, 1e-10, why);
-                }
-                (true, Update::Forward) => {
-                    let why = "the next term is 92/N² of exp(8 pi²/N)";
-                    gate(GROWTH, 100.0 / (n * n), why);
-                    gate(PRESSURE, 100.0 / (n * n), "chords for strain, 1 - cos");
-                }
-            }
-        }
-        if variant.turns {
-            let line = own.iter().map(|rung| {
-                let growth = runs.value(&rung.label, GROWTH) * f64::from(TURNS);
-                format!("{}: deviator times {:.6}", rung.label, libm::exp(growth))
-            });
-            verdict.for_the_record.extend(line);
-            continue;
-        }
-        let Some(finest) = own.last() else {
-            continue;
-        };
-        let increment = SHEAR / f64::from(Variant::steps_per(finest));
-        let (bound, reason) = match variant.update {
-            Update::HughesWinget => (increment, "the strain of a step is not turned by half"),
-            Update::Forward => (
-                (1.0 + SHEAR) * increment,
-                "the strain of a step is not turned by half, and the stress grows by half of its square",
-            ),
-        };
-        let mut rules = vec![error(OFF).at_most(bound, reason)];
-        if own.len() > 1 {
-            rules.push(order(OFF).at_least(0.95, "order 1: the strain is not turned"));
-        }
-        let gates = rules.iter().map(|rule| runs.gate_of(variant.name, rule));
-        verdict.gates.extend(gates);
-        let table = runs.table(Some(variant.name), &[OFF]);
-        verdict
-            .tables
-            .push((format!("{} to 3", variant.name), table));
-    }
-    verdict
+/// Steps until all of the shear, or in a turn.
+fn steps(rung: &Rung) -> f64 {
+    f64::from(Variant::steps_per(rung))
+}
+
+/// True for turns, and the update.
+fn kind(rung: &Rung) -> (bool, Update) {
+    let variant = rung.problem::<Variant>();
+    (variant.turns, variant.update)
+}
+
+/// The factor of the deviator in all turns.
+fn line(rung: &Rung, run: &RungResult) -> Option<String> {
+    kind(rung).0.then(|| {
+        let growth = run.value(GROWTH) * f64::from(TURNS);
+        format!("{}: deviator times {:.6}", rung.label, libm::exp(growth))
+    })
 }
 
 /// End of the run \[s\].
@@ -357,10 +300,7 @@ fn scene(rung: &Rung, _: &Settings) -> Scene {
     // A step is as long as a shear, or a turn, of one second asks for.
     let dt = 1.0 / f64::from(Variant::steps_per(rung));
     let mut scene = bare_scene("shear_and_turn", variant.dimension, mesh, end(rung));
-    scene.time_step = TimeStep::Fixed {
-        dt,
-        allow_unstable: false,
-    };
+    scene.time_step = equal_steps_of(dt);
     let elasticity = LAW.elasticity();
     let law = LinearElastic::with_rate(elasticity.young, elasticity.poisson, variant.rate());
     scene.materials = material("elastic", DENSITY, law);
@@ -380,16 +320,11 @@ fn options(rung: &Rung, _: Reference, mut options: Options) -> Options {
     let motion = variant.motion(rung, end(rung) / f64::from(variant.steps(rung)));
     let [xx, yy, xy] = if variant.turns { STRESSED } else { [0.0; 3] };
     options.initial = Some(Arc::new(move |x| InitialState {
-        velocity: motion.velocity(*x),
+        velocity: motion(*x),
         stress: [xx, yy, 0.0, 0.0, 0.0, xy],
         ..AT_REST
     }));
-    options.conditions.push(Arc::new(motion));
+    let nodes = SetVelocity::by(move |x, _| motion(x));
+    options.conditions.push(Arc::new(nodes));
     options
-}
-
-fn compare(run: &mut Run<'_>) -> Result<Measurements, Failure> {
-    let (rung, simulation) = (run.rung, &*run.simulation);
-    let quantities = quantities(run.reference, *rung.problem::<Variant>(), rung, simulation);
-    Ok(Measurements::of(quantities))
 }

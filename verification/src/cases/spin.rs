@@ -11,6 +11,7 @@
 //! stress is `R sigma R^T`, its principal values stay, and so do plastic strain and plastic work. `proctor verify spin`.
 
 use super::prelude::*;
+use super::vocabulary::moved::SetVelocity;
 use super::vocabulary::yielding::{DRUCKER_PRAGER, MOHR_COULOMB, PlasticSolid, TRESCA, VON_MISES};
 use crate::exact::turned::{Matrix, Tensor, invariants, length, rotation, turn, turned};
 
@@ -109,33 +110,6 @@ fn looks(rung: &Rung) -> u32 {
     LOOKS * if steps_per_turn(rung) < 500 { 1 } else { 10 }
 }
 
-/// All nodes move by a velocity gradient \[1/s\] about a point \[m\], by another one from a time \[s\] on.
-#[derive(Clone, Copy, Debug)]
-struct NodeMotion {
-    about: [f64; 3],
-    strains: Matrix,
-    until: f64,
-    spins: Matrix,
-}
-
-impl NodeMotion {
-    fn velocity(&self, x: [f64; 3], time: f64) -> [f64; 3] {
-        let gradient = if time < self.until {
-            &self.strains
-        } else {
-            &self.spins
-        };
-        gradient.map(|row| (0..3).map(|i| row[i] * (x[i] - self.about[i])).sum())
-    }
-}
-
-impl Condition for NodeMotion {
-    fn after(&self, field: &mut FieldNodes<'_, '_>) {
-        let time = field.time();
-        field.for_each(|node| node.set_velocity(self.velocity(node.position(), time)));
-    }
-}
-
 /// State of a particle when the spin begins.
 #[derive(Clone, Copy, Debug)]
 struct SpinStart {
@@ -160,17 +134,8 @@ fn yielded(simulation: &Simulation) -> Result<Vec<SpinStart>, Failure> {
     (0..set.len()).map(state).collect()
 }
 
-/// Largest of what was off so far, in the order of the quantities.
+/// Deviations, in the order of the quantities.
 type Off = [f64; 4];
-
-/// Keeps what is farther off, and what is no number.
-fn keep(off: &mut Off, now: Off) {
-    for (most, now) in off.iter_mut().zip(now) {
-        if now > *most || now.is_nan() {
-            *most = now;
-        }
-    }
-}
 
 /// Deviation of a particle that began to spin with a state.
 fn off_by(start: &SpinStart, now: &SpinStart, rotation: &Matrix) -> Off {
@@ -178,11 +143,7 @@ fn off_by(start: &SpinStart, now: &SpinStart, rotation: &Matrix) -> Off {
     let exact = turned(start.stress, rotation);
     let apart = length(std::array::from_fn(|i| now.stress[i] - exact[i]));
     let [before, after] = [start, now].map(|state| invariants(state.stress));
-    let invariant = (before.iter().zip(after)).map(|(a, b)| (a - b).abs());
-    let principal = invariant.fold(
-        0.0,
-        |most: f64, x| if x > most || x.is_nan() { x } else { most },
-    );
+    let principal = largest(before.iter().zip(after).map(|(a, b)| (a - b).abs()));
     [
         apart / size,
         principal / size,
@@ -218,20 +179,23 @@ pub static SPIN: Case = Case::new(
 )
 .no_guest("all nodes move as prescribed, and no scene file can say that; *rotation* spins freely");
 
-/// Motion of all nodes.
-fn motion(reference: Reference, rung: &Rung) -> NodeMotion {
+/// Velocity of all nodes, by place and time: a gradient about the middle of the body, that of the straining and then that of the
+/// spin.
+fn motion(
+    reference: Reference,
+    rung: &Rung,
+) -> impl Fn(Vector, f64) -> Vector + Clone + Send + Sync + 'static {
     let (variant, dt) = (*rung.problem::<Variant>(), time_step(rung));
     let [lower, upper] = variant.corners(rung.cell);
-    let steps = f64::from(steps_per_turn(rung));
-    let step = turn(variant.axis(), TAU / steps);
+    let about: Vector = std::array::from_fn(|i| 0.5 * (lower[i] + upper[i]));
+    let until = f64::from(STRAINING) * dt;
+    let strains = variant.strain().map(|row| row.map(|e| e / until));
+    let step = turn(variant.axis(), TAU / f64::from(steps_per_turn(rung)));
     let mut spins = step.map(|row| row.map(|x| x / dt));
     spins[0][0] -= reference.of(&WRONG_STRAIN);
-    let straining = f64::from(STRAINING) * dt;
-    NodeMotion {
-        about: std::array::from_fn(|i| 0.5 * (lower[i] + upper[i])),
-        strains: variant.strain().map(|row| row.map(|e| e / straining)),
-        until: straining,
-        spins,
+    move |x, time| {
+        let gradient = if time < until { strains } else { spins };
+        gradient.map(|row| (0..3).map(|i| row[i] * (x[i] - about[i])).sum())
     }
 }
 
@@ -249,14 +213,10 @@ fn advance(
 }
 
 /// Strains and spins the body, and looks at it on the way.
-fn spin(
-    reference: Reference,
-    rung: &Rung,
-    simulation: &mut Simulation,
-    observer: &mut dyn Observer,
-) -> Result<Measurements, Failure> {
+fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
+    let (rung, simulation, observer) = (run.rung, run.simulation, run.observer);
     observer.phase(Phase::Stepping);
-    let variant = *rung.problem::<Variant>();
+    let axis = rung.problem::<Variant>().axis();
     advance(simulation, u64::from(STRAINING), observer)?;
     let starts = yielded(simulation)?;
     let (all, mut off) = (looks(rung), [0.0; 4]);
@@ -265,32 +225,30 @@ fn spin(
         advance(simulation, u64::from(STRAINING + steps), observer)?;
         observer.progress(f64::from(look) / f64::from(all));
         let turns = f64::from(steps) / f64::from(steps_per_turn(rung));
-        let angle = reference.of(&WRONG_ANGLE) * turns.fract() * std::f64::consts::TAU;
-        let rotation = rotation(variant.axis(), angle);
+        let rotation = rotation(axis, run.reference.of(&WRONG_ANGLE) * turns.fract() * TAU);
         for (start, now) in starts.iter().zip(yielded(simulation)?) {
-            keep(&mut off, off_by(start, &now, &rotation));
+            let now = off_by(start, &now, &rotation);
+            off = std::array::from_fn(|i| larger(off[i], now[i]));
         }
     }
     observer.phase(Phase::Comparing);
-    let names = [TURNED, PRINCIPAL, MULTIPLIER, WORK];
-    let quantities = names.into_iter().zip(off);
+    let quantities = [TURNED, PRINCIPAL, MULTIPLIER, WORK].into_iter().zip(off);
     let quantities = quantities.map(|(name, off)| Quantity::of_zero(name, off));
     Ok(Measurements::of(quantities.collect::<Vec<_>>()))
 }
 
 fn rungs(size: Size) -> Vec<Rung> {
-    let steps: &[u32] = match size {
+    let steps: &'static [u32] = match size {
         Size::Quick => &[256],
         Size::Full => &[256, 1024],
     };
-    VARIANTS
-        .iter()
-        .flat_map(|v| {
-            let word = format!("{}, steps in a turn", v.name);
-            let rungs = Rung::counted(v.name, &word, CELLS_PER_STEP, steps);
-            rungs.into_iter().map(|rung| rung.with(*v))
-        })
-        .collect()
+    Rung::of_problems(
+        &VARIANTS,
+        |v| v.name,
+        "steps in a turn",
+        CELLS_PER_STEP,
+        |_| steps,
+    )
 }
 
 fn scene(rung: &Rung, _: &Settings) -> Scene {
@@ -299,18 +257,10 @@ fn scene(rung: &Rung, _: &Settings) -> Scene {
     let mut mesh = Mesh::new(variant.dimension, [0.0; 3], [h; 3], [1; 3]);
     mesh.cells[..axes].fill(WIDE + 2 * MARGIN);
     mesh.planes[..axes].fill([PlaneCondition::Free; 2]);
-    let spinning = looks(rung) * steps_per_turn(rung) / LOOKS;
-    let dt = time_step(rung);
-    let mut scene = bare_scene(
-        "spin",
-        variant.dimension,
-        mesh,
-        f64::from(STRAINING + spinning) * dt,
-    );
-    scene.time_step = TimeStep::Fixed {
-        dt,
-        allow_unstable: false,
-    };
+    let steps = STRAINING + looks(rung) * steps_per_turn(rung) / LOOKS;
+    let end = f64::from(steps) * time_step(rung);
+    let mut scene = bare_scene("spin", variant.dimension, mesh, end);
+    scene.time_step = equal_steps_of(time_step(rung));
     let solid = PlasticSolid {
         variant: variant.law,
         young: YOUNG,
@@ -326,13 +276,8 @@ fn scene(rung: &Rung, _: &Settings) -> Scene {
 
 fn options(rung: &Rung, reference: Reference, mut options: Options) -> Options {
     let motion = motion(reference, rung);
-    options.initial = Some(Arc::new(move |x| {
-        moving(motion.velocity(*x, 0.0), [[0.0; 3]; 3])
-    }));
-    options.conditions.push(Arc::new(motion));
+    let nodes = motion.clone();
+    options.initial = Some(Arc::new(move |x| moving(motion(*x, 0.0), [[0.0; 3]; 3])));
+    options.conditions.push(Arc::new(SetVelocity::by(nodes)));
     options
-}
-
-fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
-    spin(run.reference, run.rung, run.simulation, run.observer)
 }

@@ -13,6 +13,7 @@
 //! impact has order 2/3, as the last of the wave's impulse comes late.
 
 use super::prelude::*;
+use super::vocabulary::impulse::Impulse;
 use crate::exact::bar_impact::MovingBar;
 use crate::exact::step_bar::StepBar as Exact;
 
@@ -46,6 +47,7 @@ const REBOUND: &str = "speed of the rebound";
 const MISSING: &str = "the simulation kept no initial positions";
 
 const KINK: &str = "a kink over w, with an error of w in the bent function: w^(3/2)";
+const FRONT_WITHIN: &str = "a tenth of the width w over which dispersion spreads it";
 const MEAN: &str = "ringing averages out, and leaves no more than w²";
 const IMPACT: &str = "the last of the wave's impulse comes w late, or never";
 const WRONG_STIFFNESS: Wrong = Wrong::factor("stiffness", 1.1).breaks(|gate| {
@@ -58,6 +60,8 @@ const WRONG_LOAD: Wrong = Wrong::factor("load", 1.06).breaks(|gate| {
         .iter()
         .any(|name| gate.contains(name))
 });
+
+const TABLE: &str = "step-bar, {variant}, uGIMP, USL, FLIP"; // Title of the tables
 
 /// The bar.
 pub static STEP_BAR: Case = Case::new(
@@ -76,52 +80,26 @@ pub static STEP_BAR: Case = Case::new(
 .displacements()
 .run(compare)
 .gates_of_variants(&[
-    error(DISPLACEMENT)
-        .at_most_spread(LENGTH, [1.0, 1.5], KINK)
-        .on(is_loaded),
-    error(FRONT)
-        .at_most_spread(
-            LENGTH,
-            [0.1, 1.0],
-            "a tenth of the width w over which dispersion spreads it",
-        )
-        .on(is_loaded),
-    error(SPEED)
-        .at_most_spread(LENGTH, [1.0, 2.0], MEAN)
-        .on(is_loaded),
-    error(HELD)
-        .at_most_spread(LENGTH, [1.0, 2.0], MEAN)
-        .on(is_loaded),
+    spread(LOADED, DISPLACEMENT, [1.0, 1.5], KINK),
+    spread(LOADED, FRONT, [0.1, 1.0], FRONT_WITHIN),
+    spread(LOADED, SPEED, [1.0, 2.0], MEAN),
+    spread(LOADED, HELD, [1.0, 2.0], MEAN),
     order(DISPLACEMENT)
         .at_least(0.8, "order 1 of a kink, less 0.2")
-        .on(is_loaded),
+        .of(LOADED),
     order(STRESS)
         .at_least(0.25, "order 1/3 of a jump, less 0.08")
-        .on(is_loaded),
-    error(DURATION)
-        .at_most_spread(LENGTH, [0.5, 1.0], IMPACT)
-        .on(is_thrown),
-    error(PRESSURE)
-        .at_most_spread(LENGTH, [1.0, 2.0], MEAN)
-        .on(is_thrown),
-    error(REBOUND)
-        .at_most_spread(LENGTH, [0.5, 1.0], IMPACT)
-        .on(is_thrown),
+        .of(LOADED),
+    spread(THROWN, DURATION, [0.5, 1.0], IMPACT),
+    spread(THROWN, PRESSURE, [1.0, 2.0], MEAN),
+    spread(THROWN, REBOUND, [0.5, 1.0], IMPACT),
     order(DURATION)
         .at_least(0.6, "2/3, as the front spreads")
-        .on(is_thrown),
+        .of(THROWN),
 ])
 .tables(&[
-    TableRule::new(
-        "step-bar, {variant}, uGIMP, USL, FLIP",
-        &[DISPLACEMENT, FRONT, SPEED, HELD, STRESS],
-    )
-    .of(|variant| variant == LOADED),
-    TableRule::new(
-        "step-bar, {variant}, uGIMP, USL, FLIP",
-        &[DURATION, PRESSURE, REBOUND],
-    )
-    .of(|variant| variant == THROWN),
+    TableRule::new(TABLE, &[DISPLACEMENT, FRONT, SPEED, HELD, STRESS]).of(|v| v == LOADED),
+    TableRule::new(TABLE, &[DURATION, PRESSURE, REBOUND]).of(|v| v == THROWN),
 ])
 .wrong_references(&[WRONG_STIFFNESS, WRONG_LOAD])
 .studies(&[Plan::new(
@@ -137,12 +115,15 @@ pub static STEP_BAR: Case = Case::new(
 )])
 .guest(guest);
 
-fn is_loaded(rung: &Rung) -> bool {
-    rung.variant == LOADED
-}
-
-fn is_thrown(rung: &Rung) -> bool {
-    rung.variant == THROWN
+/// Gate on an error of a variant: at most a share of a power of the width w.
+const fn spread(
+    variant: &'static str,
+    quantity: &'static str,
+    share_and_power: [f64; 2],
+    reason: &'static str,
+) -> GateRule {
+    let gate = error(quantity).at_most_spread(LENGTH, share_and_power, reason);
+    gate.of(variant)
 }
 
 /// The exact bar, as the case refers to it.
@@ -170,33 +151,23 @@ fn section(simulation: &Simulation) -> f64 {
     simulation.scene().mesh.cell[1]
 }
 
-fn pressed(
-    reference: Reference,
-    rung: &Rung,
-    simulation: &mut Simulation,
-    observer: &mut dyn Observer,
-) -> Result<Measurements, Failure> {
-    let exact = exact(reference);
+fn pressed(run: Run<'_>) -> Result<Measurements, Failure> {
+    let (exact, simulation, observer) = (exact(run.reference), run.simulation, run.observer);
     run_until(simulation, COMPARED * transit(), observer, |_| ())?;
     let t = simulation.time();
     let mut quantities = errors(
         simulation,
         |x| [exact.displacement(x[0], t), 0.0, 0.0],
-        |x| [exact.stress(x[0], t), 0.0, 0.0, 0.0, 0.0, 0.0],
+        |x| uniaxial(exact.stress(x[0], t)),
     );
-    let curve = curve(simulation, &exact, rung);
-    quantities.push(Quantity::compared(
-        FRONT,
-        way_of_the_front(simulation)?,
-        exact.wave_speed() * t,
-        "m",
-    ));
-    quantities.push(Quantity::compared(
-        SPEED,
+    let curve = curve(simulation, &exact, run.rung);
+    let (front, at) = (way_of_the_front(simulation)?, exact.wave_speed() * t);
+    let (speed, of_exact) = (
         speed_behind_the_front(simulation, t)?,
         exact.speed_behind_the_front(),
-        "m/s",
-    ));
+    );
+    quantities.push(Quantity::compared(FRONT, front, at, "m"));
+    quantities.push(Quantity::compared(SPEED, speed, of_exact, "m/s"));
     let [from, to] = REFLECTED.map(|transits| transits * transit());
     let mut sample = |stop| -> Result<[f64; 2], Failure> {
         run_until(simulation, stop, observer, |_| ())?;
@@ -248,21 +219,15 @@ fn curve(simulation: &Simulation, exact: &Exact, rung: &Rung) -> Option<Curve> {
     let points = along(simulation, 0, |p, x| {
         [set.stress(p)[0], exact.stress(x, t)].map(|s| s / (STRAIN * YOUNG))
     })?;
-    Some(Curve::new(
-        format!(
-            "stress along the bar after {COMPARED} transits, {}",
-            rung.label
-        ),
-        ["x (m)", "stress / p"],
-        points,
-    ))
+    let title = format!(
+        "stress along the bar after {COMPARED} transits, {}",
+        rung.label
+    );
+    Some(Curve::new(title, ["x (m)", "stress / p"], points))
 }
 
-fn thrown(
-    reference: Reference,
-    simulation: &mut Simulation,
-    observer: &mut dyn Observer,
-) -> Result<Measurements, Failure> {
+fn thrown(run: Run<'_>) -> Result<Measurements, Failure> {
+    let (reference, simulation, observer) = (run.reference, run.simulation, run.observer);
     let exact = MovingBar {
         length: LENGTH,
         modulus: reference.of(&WRONG_STIFFNESS) * YOUNG,
@@ -270,25 +235,19 @@ fn thrown(
         velocity: -reference.of(&WRONG_LOAD) * speed(),
     }
     .at_a_wall();
-    let (mut impulse, mut moment, mut judged) = (0.0, 0.0, [0.0; 2]);
-    let mut kicked = simulation.velocity_time();
-    let mut force_at = simulation.time();
+    let (mut impulse, mut judged) = (Impulse::of(simulation), [0.0; 2]);
     let [from, to] = PRESSED.map(|transits| transits * transit());
     run_until(simulation, PARTED * transit(), observer, |s| {
-        // The force is that at the positions before the step; it kicks velocities from half step to half step.
-        let kick = s.velocity_time() - kicked;
         let force = s.contact_force(0)[0];
-        impulse += force * kick;
-        moment += force * kick * force_at;
-        if (from..to).contains(&force_at) {
+        let (at, kick) = impulse.add(s, force);
+        if (from..to).contains(&at) {
             judged = [judged[0] + force * kick, judged[1] + kick];
         }
-        (kicked, force_at) = (s.velocity_time(), s.time());
     })?;
     let pressure = judged[0] / judged[1] / section(simulation);
     let rebound = simulation.center(0).velocity[0];
     let quantities = vec![
-        Quantity::compared(DURATION, 2.0 * moment / impulse, exact.duration, "s"),
+        Quantity::compared(DURATION, impulse.duration(), exact.duration, "s"),
         Quantity::compared(PRESSURE, pressure, exact.stress, "Pa"),
         Quantity::compared(REBOUND, rebound, exact.velocity, "m/s"),
     ];
@@ -297,24 +256,15 @@ fn thrown(
 
 fn scene(rung: &Rung, settings: &Settings) -> Scene {
     let (h, thrown) = (rung.cell, rung.variant == THROWN);
-    let cells = (LENGTH / h).round() as usize;
-    let start = if thrown { WALL_CELLS as f64 * h } else { 0.0 };
     let before = if thrown { WALL_CELLS } else { 0 };
-    let mut mesh = Mesh::new(
-        Dimension::Two,
-        [0.0; 3],
-        [h; 3],
-        [before + cells + AIR, 1, 1],
-    );
+    let start = before as f64 * h;
+    let mut mesh = strip(h, [before + cells(LENGTH, h) + AIR, 1]);
     mesh.planes[0][1] = PlaneCondition::Free;
     let transits = if thrown { PARTED } else { REFLECTED[1] };
     let mut scene = plane_scene("step_bar", mesh, transits * transit());
     scene.materials = elastic(DENSITY, YOUNG, 0.0);
-    scene.bodies = vec![body(
-        "bar",
-        1,
-        cuboid([start, 0.0, 0.0], [start + LENGTH, h, 0.0]),
-    )];
+    let bar = rectangle([start, 0.0], [start + LENGTH, h]);
+    scene.bodies = vec![body("bar", 1, bar)];
     if thrown {
         scene.mesh.planes[0][0] = PlaneCondition::Free;
         scene.bodies[0].velocity[0] = -speed();
@@ -345,12 +295,10 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
 }
 
 fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
-    let (rung, reference) = (run.rung, run.reference);
-    let (simulation, observer) = (run.simulation, run.observer);
-    if rung.variant == THROWN {
-        thrown(reference, simulation, observer)
+    if run.rung.variant == THROWN {
+        thrown(run)
     } else {
-        pressed(reference, rung, simulation, observer)
+        pressed(run)
     }
 }
 

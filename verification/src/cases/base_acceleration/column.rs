@@ -1,5 +1,6 @@
 //! The column between rollers on a base that shakes along its axis: scene, run, comparison with the images.
 
+use super::{AMPLITUDE, L2, TOP, UPPERMOST, WRONG_STIFFNESS};
 use crate::cases::prelude::*;
 use crate::exact::base_column::{BaseColumn, CubedSine, SineRecord};
 
@@ -15,40 +16,58 @@ const AIR: usize = 2; // Empty cells above the column
 const INTERVAL: f64 = 2e-5;
 const SAMPLES: u64 = 400; // Number of times, about, at which velocities are compared
 
-/// Motion of the base.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Shaking {
-    /// The manual's sine; its acceleration jumps at the start.
-    Sine(SineRecord),
-    /// A sine cubed, smooth at the start.
-    Smooth(CubedSine),
+/// Motion of the base along the column: its amplitude \[m/s\], and its velocity and acceleration by that and the time.
+#[derive(Clone, Copy, Debug)]
+pub struct Shaking {
+    amplitude: f64,
+    velocity: fn(f64, f64) -> f64,
+    acceleration: fn(f64, f64) -> f64,
 }
 
 impl Shaking {
-    fn acceleration(&self, t: f64) -> f64 {
-        match self {
-            Self::Sine(motion) => motion.acceleration(t),
-            Self::Smooth(motion) => motion.acceleration(t),
+    /// The manual's sine at 15 Hz, close enough to the first resonance (17.3 Hz) to amplify 4.8 times; its acceleration jumps
+    /// at the start.
+    pub fn sine(amplitude: f64) -> Self {
+        const fn record(amplitude: f64) -> SineRecord {
+            SineRecord {
+                amplitude,
+                frequency: 15.0,
+                phase: PI,
+            }
+        }
+        Self {
+            amplitude,
+            velocity: |amplitude, t| record(amplitude).velocity(t),
+            acceleration: |amplitude, t| record(amplitude).acceleration(t),
+        }
+    }
+
+    /// A smooth start. Its two frequencies, 10 and 30 Hz, keep clear of the resonances 17.3 and 52 Hz.
+    pub fn smooth(amplitude: f64) -> Self {
+        const fn cubed(amplitude: f64) -> CubedSine {
+            CubedSine {
+                amplitude,
+                frequency: 10.0,
+            }
+        }
+        Self {
+            amplitude,
+            velocity: |amplitude, t| cubed(amplitude).velocity(t),
+            acceleration: |amplitude, t| cubed(amplitude).acceleration(t),
         }
     }
 
     fn velocity(&self, t: f64) -> f64 {
-        match self {
-            Self::Sine(motion) => motion.velocity(t),
-            Self::Smooth(motion) => motion.velocity(t),
-        }
+        (self.velocity)(self.amplitude, t)
     }
 
-    fn amplitude(&self) -> f64 {
-        match self {
-            Self::Sine(motion) => motion.amplitude,
-            Self::Smooth(motion) => motion.amplitude,
-        }
+    fn acceleration(&self, t: f64) -> f64 {
+        (self.acceleration)(self.amplitude, t)
     }
 }
 
 /// A column to be run.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub struct Column {
     /// Two (plane strain) or three dimensions; the answer is the same.
     pub dimension: Dimension,
@@ -60,43 +79,19 @@ pub struct Column {
     pub settings: Settings,
 }
 
-/// A column and its exact response.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Response {
-    /// Velocity of the top at [`END`] over the amplitude of the base, extrapolated from particles and exact.
-    pub top: [f64; 2],
-    /// The same for the mean of the uppermost particles, at their own height.
-    pub uppermost: [f64; 2],
-    /// Relative L2 error of the velocity over column and time.
-    pub l2: Option<f64>,
-    /// Relative L2 error of the stress along the column at the end.
-    pub stress: Option<f64>,
-    /// Velocity over height at [`END`], over the amplitude.
-    pub curve: Curve,
-}
-
 impl Column {
-    /// The manual's sine at 15 Hz, close enough to the first resonance (17.3 Hz) to amplify 4.8 times.
-    pub fn sine(amplitude: f64) -> Shaking {
-        Shaking::Sine(SineRecord {
-            amplitude,
-            frequency: 15.0,
-            phase: PI,
-        })
-    }
-
-    /// A smooth start. Its two frequencies, 10 and 30 Hz, keep clear of the resonances 17.3 and 52 Hz.
-    pub fn smooth(amplitude: f64) -> Shaking {
-        Shaking::Smooth(CubedSine {
-            amplitude,
-            frequency: 10.0,
-        })
-    }
-
     /// Wave speed under confined compression \[m/s\], for the stiffness times `factor`.
     fn wave_speed(factor: f64) -> f64 {
-        let confined = YOUNG * (1.0 - POISSON) / ((1.0 + POISSON) * (1.0 - 2.0 * POISSON));
-        (factor * confined / DENSITY).sqrt()
+        p_wave_speed(factor * YOUNG, POISSON, DENSITY)
+    }
+
+    /// The exact column, whose stiffness is `stiffness` times that of the scene.
+    fn exact(stiffness: f64) -> BaseColumn {
+        BaseColumn {
+            height: HEIGHT,
+            wave_speed: Self::wave_speed(stiffness),
+            density: DENSITY,
+        }
     }
 
     /// Axis of the column: the last one.
@@ -114,9 +109,8 @@ impl Column {
     /// The scene.
     pub fn scene(&self) -> Scene {
         let (h, axis) = (self.cell, self.axis());
-        let cells = (HEIGHT / h).round() as usize;
         let mut number = [WIDTH; 3];
-        number[axis] = cells + AIR;
+        number[axis] = cells(HEIGHT, h) + AIR;
         let mut mesh = Mesh::new(self.dimension, [0.0; 3], [h; 3], number);
         mesh.planes[axis][1] = PlaneCondition::Free;
         let (dt, steps) = self.time_step();
@@ -134,14 +128,12 @@ impl Column {
         scene.bodies = vec![body("column", 1, cuboid([0.0; 3], upper))];
         let rows = (scene.time / INTERVAL).ceil() as usize + 1;
         let times: Vec<f64> = (0..=rows).map(|row| row as f64 * INTERVAL).collect();
-        let values = times
-            .iter()
-            .map(|&t| {
-                let mut a = [0.0; 3];
-                a[axis] = self.shaking.acceleration(t);
-                a
-            })
-            .collect();
+        let along = |&t: &f64| {
+            let mut a = [0.0; 3];
+            a[axis] = self.shaking.acceleration(t);
+            a
+        };
+        let values = times.iter().map(along).collect();
         let motion = Motion::Acceleration(History { times, values });
         scene.base_motion = Some(BaseMotion {
             axis,
@@ -162,11 +154,7 @@ impl Column {
         let mut scene = column.scene();
         scene.time = END;
         let step = guest::COURANT * self.cell / Self::wave_speed(1.0);
-        let exact = BaseColumn {
-            height: HEIGHT,
-            wave_speed: Self::wave_speed(stiffness),
-            density: DENSITY,
-        };
+        let exact = Self::exact(stiffness);
         let shaking = self.shaking;
         let moved =
             move |x: &Vector, t| [0.0, 0.0, exact.velocity(x[2], t, |t| shaking.velocity(t))];
@@ -176,24 +164,15 @@ impl Column {
         }
     }
 
-    /// Runs to [`END`] and compares with the exact response of a column whose stiffness is `stiffness` times that
-    /// of the scene (1 for the right reference).
+    /// Runs to [`END`] and compares with the exact response.
     ///
     /// # Errors
     /// If a step fails.
-    pub fn run(
-        &self,
-        simulation: &mut Simulation,
-        stiffness: f64,
-        observer: &mut dyn Observer,
-    ) -> Result<Response, Failure> {
+    pub fn run(&self, run: Run<'_>) -> Result<Measurements, Failure> {
+        let (simulation, observer) = (run.simulation, run.observer);
         let (_, steps) = self.time_step();
         let every = (steps / SAMPLES).max(1);
-        let exact = BaseColumn {
-            height: HEIGHT,
-            wave_speed: Self::wave_speed(stiffness),
-            density: DENSITY,
-        };
+        let exact = Self::exact(run.reference.of(&WRONG_STIFFNESS));
         let at = |z: f64, t: f64| exact.velocity(z, t, |t| self.shaking.velocity(t));
         let mut samples = vec![];
         observer.phase(Phase::Stepping);
@@ -210,40 +189,39 @@ impl Column {
             }
         }
         observer.phase(Phase::Comparing);
-        let t = simulation.velocity_time();
-        let layer = |depth: f64| -> Result<f64, Failure> {
-            let (mut count, mut sum) = (0.0, 0.0);
-            for [z, v, _] in self.particles(simulation)? {
-                if (HEIGHT - z - depth).abs() < 0.1 * self.cell {
-                    count += 1.0;
-                    sum += v;
-                }
-            }
-            Ok(sum / count)
+        let (t, a, particles) = (
+            simulation.velocity_time(),
+            self.shaking.amplitude,
+            self.particles(simulation)?,
+        );
+        let layer = |depth: f64| {
+            let near = |z: f64| (HEIGHT - z - depth).abs() < 0.1 * self.cell;
+            let own = particles.iter().filter(|[z, ..]| near(*z));
+            let (count, sum) = own.fold((0.0, 0.0), |(n, sum), [_, v, _]| (n + 1.0, sum + v));
+            sum / count
         };
         let depth = 0.5 * self.cell / self.settings.particles_per_cell as f64;
-        let (first, second) = (layer(depth)?, layer(3.0 * depth)?);
-        let a = self.shaking.amplitude();
-        let mut points: Vec<CurvePoint> = self
-            .particles(simulation)?
-            .into_iter()
-            .map(|[z, v, _]| CurvePoint::new(z, v / a, at(z, t) / a))
-            .collect();
+        let (first, second) = (layer(depth), layer(3.0 * depth));
+        // The stress at the top is zero, so v = v(H) - b (H - z)², and the second layer is three times as deep as the first.
+        let top = first + (first - second) / 8.0;
+        // Over the amplitude of the base, and scaled to that of the manual.
+        let velocity = |name, found: f64, exact: f64| Quantity {
+            value: AMPLITUDE * (found / a),
+            exact: Some(AMPLITUDE * (exact / a)),
+            ..Quantity::compared(name, found / a, exact / a, "m/s")
+        };
+        let quantities = [
+            velocity(TOP, top, at(HEIGHT, t)),
+            velocity(UPPERMOST, first, at(HEIGHT - depth, t)),
+            ratio(L2, relative_l2(samples)),
+            ratio(STRESS, self.stress_error(simulation, &exact)),
+        ];
+        let points = particles.iter();
+        let points = points.map(|&[z, v, _]| CurvePoint::new(z, v / a, at(z, t) / a));
+        let mut points: Vec<CurvePoint> = points.collect();
         CurvePoint::one_per_place(&mut points, 0.1 * self.cell);
-        Ok(Response {
-            // The stress at the top is zero, so v = v(H) - b (H - z)², and the second layer is three times as deep as
-            // the first.
-            top: [(first + (first - second) / 8.0) / a, at(HEIGHT, t) / a],
-            uppermost: [first / a, at(HEIGHT - depth, t) / a],
-            l2: relative_l2(samples),
-            stress: self.stress_error(simulation, &exact),
-            curve: Curve {
-                title: format!("velocity over the column at {END} s, h = {} m", self.cell),
-                abscissa: "z (m)",
-                ordinate: "v / A",
-                points,
-            },
-        })
+        let title = format!("velocity over the column at {END} s, h = {} m", self.cell);
+        Ok(Measurements::of(quantities).drawn(Curve::new(title, ["z (m)", "v / A"], points)))
     }
 
     /// Relative L2 error of the stress along the column now.

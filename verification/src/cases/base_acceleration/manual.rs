@@ -1,5 +1,6 @@
 //! The manual's own check: the particles at the base of its shaken block follow the record.
 
+use super::{BASE, LOWEST, WRONG_FREQUENCY};
 use crate::cases::prelude::*;
 use crate::exact::base_column::SineRecord;
 use proctor_files::records::{Harmonic, accelerogram};
@@ -47,23 +48,13 @@ impl Block {
         let origin = [self.corner - margin, self.corner - margin, 0.0];
         let mesh = Mesh::new(Dimension::Three, origin, [CELL; 3], [across, across, up]);
         let record = Harmonic::of_the_manual();
-        let mut scene = bare_scene(
-            "base_acceleration",
-            Dimension::Three,
-            mesh,
-            record.intervals as f64 * record.interval,
-        );
-        scene.time_step = TimeStep::Fixed {
-            dt: self.dt,
-            allow_unstable: false,
-        };
+        let end = record.intervals as f64 * record.interval;
+        let mut scene = bare_scene("base_acceleration", Dimension::Three, mesh, end);
+        scene.time_step = equal_steps_of(self.dt);
         scene.materials = material("elastic_1", 2500.0, elastic_law(self.young, 0.25));
-        let far = self.corner + WIDTH;
-        scene.bodies = vec![body(
-            "columns_1",
-            1,
-            cuboid([self.corner, self.corner, 0.0], [far, far, self.height]),
-        )];
+        let [near, far] = [self.corner, self.corner + WIDTH];
+        let block = cuboid([near, near, 0.0], [far, far, self.height]);
+        scene.bodies = vec![body("columns_1", 1, block)];
         let motion = Motion::Acceleration(accelerogram(&record));
         scene.base_motion = Some(BaseMotion {
             axis: 2,
@@ -74,27 +65,16 @@ impl Block {
     }
 }
 
-/// Deviation of the velocities at the base from the record, over its amplitude, at the worst time of the worst axis.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Distance {
-    /// Velocity of the field at the base plane: extrapolated from the means of the two lowest layers.
-    pub plane: f64,
-    /// Velocity of the mean of the lowest particles, h/4 above the base.
-    pub lowest: f64,
-}
-
-/// Runs the whole record; `frequency` times that of the record is the reference (1 for the right one).
+/// Runs the whole record: how far the velocities at the base are from it, over its amplitude, at the worst time of the worst axis.
+/// At the plane they are extrapolated from the means of the two lowest layers; the lowest particles are h/4 above it.
 ///
 /// # Errors
 /// If a step fails.
-pub fn run(
-    simulation: &mut Simulation,
-    frequency: f64,
-    observer: &mut dyn Observer,
-) -> Result<Distance, Failure> {
+pub fn run(run: Run<'_>) -> Result<Measurements, Failure> {
+    let (simulation, observer) = (run.simulation, run.observer);
     let record = Harmonic::of_the_manual();
     let end = simulation.scene().time;
-    let mut worst = Distance::default();
+    let (mut at_plane, mut at_lowest) = (0.0_f64, 0.0_f64);
     while simulation.velocity_time() + 1e-9 < end {
         observer.phase(Phase::Stepping);
         step(simulation, end, observer)?;
@@ -103,43 +83,41 @@ pub fn run(
         if t > end {
             break;
         }
-        let (first, second) = layers(simulation)?;
+        let [first, second] = layers(simulation)?;
         for axis in 0..2 {
             let exact = SineRecord {
                 amplitude: record.amplitude,
-                frequency: frequency * record.frequency[axis],
+                frequency: run.reference.of(&WRONG_FREQUENCY) * record.frequency[axis],
                 phase: record.phase,
             }
             .velocity(t);
             let plane = first[axis] - 0.5 * (second[axis] - first[axis]);
             let off = |v: f64| (v - exact).abs() / record.amplitude;
-            worst.plane = worst.plane.max(off(plane));
-            worst.lowest = worst.lowest.max(off(first[axis]));
+            at_plane = at_plane.max(off(plane));
+            at_lowest = at_lowest.max(off(first[axis]));
         }
         if simulation.steps().is_multiple_of(100) {
             observer.progress((t / end).min(1.0));
         }
     }
-    Ok(worst)
+    Ok(Measurements::of([
+        Quantity::of_zero(BASE, at_plane),
+        Quantity::of_zero(LOWEST, at_lowest),
+    ]))
 }
 
 /// Mean velocities (m/s) of the lowest layer of particles and of the one above.
-fn layers(simulation: &Simulation) -> Result<([f64; 3], [f64; 3]), Failure> {
+fn layers(simulation: &Simulation) -> Result<[[f64; 3]; 2], Failure> {
     let set = &simulation.sets()[0];
     let mut sums = [[0.0; 4]; 2];
     for p in 0..set.len() {
-        let z = simulation
-            .initial_position(0, p)
-            .ok_or("the simulation kept no initial positions")?[2];
-        let layer = (z / (0.5 * CELL)).floor() as usize;
-        if let Some(sum) = sums.get_mut(layer) {
-            let v = set.velocity(p);
-            for axis in 0..3 {
-                sum[axis] += v[axis];
-            }
-            sum[3] += 1.0;
+        let start = simulation.initial_position(0, p);
+        let z = start.ok_or("the simulation kept no initial positions")?[2];
+        if let Some(sum) = sums.get_mut((z / (0.5 * CELL)).floor() as usize) {
+            let [x, y, z] = set.velocity(p);
+            let counted = [x, y, z, 1.0];
+            *sum = std::array::from_fn(|i| sum[i] + counted[i]);
         }
     }
-    let [first, second] = sums.map(|s| [s[0] / s[3], s[1] / s[3], s[2] / s[3]]);
-    Ok((first, second))
+    Ok(sums.map(|s| [s[0] / s[3], s[1] / s[3], s[2] / s[3]]))
 }

@@ -4,8 +4,11 @@ use super::PRESSURE;
 use crate::exact::cam_clay::CamClayExact;
 use proctor_laws::CamClay;
 
-/// Stress across and along the axis of the clay at rest under that pressure, by the roots of exact/cam_clay.rs \[Pa\].
-pub(super) const AT_REST: [f64; 2] = [0.843_755_808_474_384_5, 1.312_488_383_051_231];
+/// Stress of the clay at rest under that pressure, along z its axis, by the roots of exact/cam_clay.rs \[Pa\].
+pub(super) const STRESS_AT_REST: [f64; 6] = {
+    let [across, along] = [-0.843_755_808_474_384_5, -1.312_488_383_051_231];
+    [across, across, along, 0.0, 0.0, 0.0]
+};
 
 /// The clay that is sheared and pressed, stiffer by a factor in swelling, under the pressure at the start.
 fn exact(stiffer: f64) -> CamClayExact {
@@ -45,8 +48,7 @@ fn triaxial(p: f64, eta: f64) -> [f64; 6] {
 }
 
 /// Stress in first compression of the clay at rest, after a strain along the axis: the stress ratio stays, and ln v is
-/// straight in
-/// ln p.
+/// straight in ln p.
 pub(super) fn at_rest(stiffer: f64, strain: f64) -> [f64; 6] {
     let clay = exact(stiffer);
     let p = PRESSURE * libm::exp(strain / clay.compression);

@@ -1,6 +1,6 @@
 //! Properties of any stress that a law returns, whatever it was before.
 
-use super::{DENSITY, POISSON, YOUNG};
+use super::{DENSITY, POISSON, RETURNS, YOUNG};
 use proctor_laws::Point;
 
 use crate::cases::prelude::*;
@@ -17,12 +17,13 @@ const TENSILE: f64 = 0.4;
 const SEED: u64 = 2026;
 
 /// Names of the quantities, each the worst of all laws and states.
-const YIELD: &str = "distance beyond the yield surface over the initial state";
-const AGAIN: &str = "change by a second return over the initial state";
-const TURNED: &str = "difference when axes are turned over the initial state";
-const WORK: &str = "negative plastic work over that of the initial state";
-const LANES: &str = "states with other bits on other lanes";
-const CORNERS: &str = "distance beyond the yield surface at corners over the initial state";
+pub(super) const YIELD: &str = "distance beyond the yield surface over the initial state";
+pub(super) const AGAIN: &str = "change by a second return over the initial state";
+pub(super) const TURNED: &str = "difference when axes are turned over the initial state";
+pub(super) const WORK: &str = "negative plastic work over that of the initial state";
+pub(super) const LANES: &str = "states with other bits on other lanes";
+pub(super) const CORNERS: &str =
+    "distance beyond the yield surface at corners over the initial state";
 
 /// A law that does not harden, and by how much a stress is beyond its surface \[Pa\], of the strength and the principal stresses,
 /// the largest first.
@@ -110,14 +111,7 @@ fn tensor([xx, yy, zz, yz, xz, xy]: [f64; 6]) -> Matrix3<f64> {
 }
 
 fn six(s: &Matrix3<f64>) -> [f64; 6] {
-    [
-        s[(0, 0)],
-        s[(1, 1)],
-        s[(2, 2)],
-        s[(1, 2)],
-        s[(0, 2)],
-        s[(0, 1)],
-    ]
+    [(0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1)].map(|place| s[place])
 }
 
 /// The point after a step without strain from a stress.
@@ -159,11 +153,6 @@ fn principal(stress: [f64; 6]) -> [f64; 3] {
     values
 }
 
-/// The larger, or what is no number.
-fn worse(most: f64, x: f64) -> f64 {
-    if x <= most { most } else { x }
-}
-
 /// Returns so many random states by each law, and those at corners.
 pub(super) fn quantities(
     states: u32,
@@ -176,14 +165,8 @@ pub(super) fn quantities(
         .collect();
     let mut random = Random::new(SEED);
     let mut number = move || 2.0 * random.unit() - 1.0;
-    let [
-        mut beyond,
-        mut again,
-        mut turned,
-        mut work,
-        mut other,
-        mut corners,
-    ] = [0.0; 6];
+    let (mut beyond, mut again, mut turned) = (0.0, 0.0, 0.0);
+    let (mut work, mut other, mut corners) = (0.0, 0.0, 0.0);
     for (index, solid) in SOLIDS.iter().enumerate() {
         progress(index as f64 / SOLIDS.len() as f64);
         let law = (solid.law)();
@@ -193,18 +176,18 @@ pub(super) fn quantities(
             let size = before.iter().fold(0.0_f64, |most, s| most.max(s.abs()));
             let point = returned(&law, None, before)?;
             let after = point.stress();
-            beyond = worse(beyond, off(after) / size);
+            beyond = larger(beyond, off(after) / size);
             // Per volume, over the energy of the stress before.
-            work = worse(work, -point.dissipated() * YOUNG / (size * size));
+            work = larger(work, -point.dissipated() * YOUNG / (size * size));
             let once_more = returned(&law, None, after)?.stress();
             let moved = (tensor(once_more) - tensor(after)).amax();
-            again = worse(again, moved / size);
+            again = larger(again, moved / size);
             let [w, x, y, z] = [(); 4].map(|()| number());
             let axes = UnitQuaternion::from_quaternion(Quaternion::new(w, x, y, z));
             let axes = axes.to_rotation_matrix().into_inner();
             let there = returned(&law, None, six(&(axes * tensor(before) * axes.transpose())))?;
             let apart = tensor(there.stress()) - axes * tensor(after) * axes.transpose();
-            turned = worse(turned, apart.amax() / size);
+            turned = larger(turned, apart.amax() / size);
             let bits = after.map(f64::to_bits);
             for lanes in &lanes {
                 let same = returned(&law, Some(*lanes), before)?;
@@ -217,7 +200,7 @@ pub(super) fn quantities(
             let [a, b, c] = corner.map(|s| s * STRENGTH);
             let after = returned(&law, None, [a, b, c, 0.0, 0.0, 0.0])?.stress();
             let size = a.abs().max(c.abs()).max(STRENGTH);
-            corners = worse(corners, off(after) / size);
+            corners = larger(corners, off(after) / size);
         }
     }
     Ok(vec![
@@ -230,18 +213,11 @@ pub(super) fn quantities(
     ])
 }
 
-/// Their gates.
-pub(super) fn gates(runs: &Runs<'_>, rung: &Rung) -> Vec<Gate> {
-    let round_off = "round-off of the state before";
-    let asked = [
-        (YIELD, 1e-14, round_off),
-        (AGAIN, 1e-14, round_off),
-        (TURNED, 1e-14, round_off),
-        (WORK, 1e-14, "plastic flow dissipates, to round-off"),
-        (LANES, 0.0, "one set of bits"),
-        (CORNERS, 1e-14, round_off),
-    ];
-    asked
-        .map(|(name, bound, why)| runs.error_at_most(&rung.label, name, bound, why))
-        .to_vec()
+/// Why what a return leaves is no more than that.
+pub(super) const ROUND_OFF: &str = "round-off of the state before";
+
+/// Gate on one of them.
+pub(super) const fn gate(quantity: &'static str, bound: f64, reason: &'static str) -> GateRule {
+    let gate = error(quantity).at_most(bound, reason);
+    gate.of_each().of(RETURNS)
 }

@@ -29,12 +29,9 @@ pub(super) const FORCE: Problem = Problem {
     variant: "force",
     cells: &[10, 20],
     scene: |rung| scene(rung, newtonian(), FlowDrive::ByForce),
-    run: |reference, rung, simulation, observer| {
-        let exact = channel(reference, 0.0);
-        let g = reference.of(&WRONG_FORCE) * FORCE_ALONG;
-        flow(rung, simulation, observer, |y, time| {
-            exact.driven_by_force(g, y, time)
-        })
+    run: |run| {
+        let (exact, g) = (channel(&run, 0.0), FORCE_ALONG * driven(&run));
+        flow(run, |y, time| exact.driven_by_force(g, y, time))
     },
     gates: &[
         error(STARTING).at_most(1e-2, PERCENT),
@@ -50,12 +47,9 @@ pub(super) const DRAG: Problem = Problem {
     variant: "drag",
     cells: &[10, 20],
     scene: |rung| scene(rung, newtonian(), FlowDrive::ByWall),
-    run: |reference, rung, simulation, observer| {
-        let exact = channel(reference, 0.0);
-        let speed = reference.of(&WRONG_FORCE) * SPEED;
-        flow(rung, simulation, observer, |y, time| {
-            exact.dragged(speed, y, time)
-        })
+    run: |run| {
+        let (exact, speed) = (channel(&run, 0.0), SPEED * driven(&run));
+        flow(run, |y, time| exact.dragged(speed, y, time))
     },
     gates: &[
         error(STARTING).at_most(1e-2, PERCENT),
@@ -70,12 +64,9 @@ pub(super) const FORCE_OF_BINGHAM: Problem = Problem {
     variant: "Bingham force",
     cells: &[10, 20],
     scene: |rung| scene(rung, bingham(plug_stress()), FlowDrive::ByForce),
-    run: |reference, rung, simulation, observer| {
-        let exact = channel(reference, plug_stress());
-        let g = reference.of(&WRONG_FORCE) * FORCE_ALONG;
-        at_last(rung, simulation, observer, |y| {
-            (exact.driven_by_force_at_last(g, y), f64::NAN)
-        })
+    run: |run| {
+        let (exact, g) = (channel(&run, plug_stress()), FORCE_ALONG * driven(&run));
+        at_last(run, |y| (exact.driven_by_force_at_last(g, y), f64::NAN))
     },
     gates: &[
         error(AT_LAST).at_most(1e-2, PERCENT),
@@ -89,12 +80,9 @@ pub(super) const DRAG_OF_BINGHAM: Problem = Problem {
     variant: "Bingham drag",
     cells: &[10, 20],
     scene: |rung| scene(rung, bingham(drag_stress()), FlowDrive::ByWall),
-    run: |reference, rung, simulation, observer| {
-        let exact = channel(reference, drag_stress());
-        let speed = reference.of(&WRONG_FORCE) * SPEED;
-        at_last(rung, simulation, observer, |y| {
-            (speed * y / WIDTH, exact.dragging_stress(speed))
-        })
+    run: |run| {
+        let (exact, speed) = (channel(&run, drag_stress()), SPEED * driven(&run));
+        at_last(run, |y| (speed * y / WIDTH, exact.dragging_stress(speed)))
     },
     gates: &[
         error(AT_LAST).at_most(1e-2, PERCENT),
@@ -128,10 +116,15 @@ fn drag_stress() -> f64 {
     YIELD_OVER_DRAG * VISCOSITY * SPEED / WIDTH
 }
 
-fn channel(reference: Reference, yield_stress: f64) -> Channel {
+/// Factor of the drive of the reference.
+fn driven(run: &Run<'_>) -> f64 {
+    run.reference.of(&WRONG_FORCE)
+}
+
+fn channel(run: &Run<'_>, yield_stress: f64) -> Channel {
     Channel {
         width: WIDTH,
-        viscosity: reference.of(&WRONG_VISCOSITY) * VISCOSITY,
+        viscosity: run.reference.of(&WRONG_VISCOSITY) * VISCOSITY,
         density: DENSITY,
         yield_stress,
     }
@@ -151,8 +144,7 @@ fn started() -> History {
 /// A layer across x, one cell long along it.
 fn scene(rung: &Rung, law: AnyLaw, driven: FlowDrive) -> Scene {
     let h = rung.cell;
-    let cells = (WIDTH / h).round() as usize;
-    let mut mesh = Mesh::new(Dimension::Two, [0.0; 3], [h; 3], [1, cells, 1]);
+    let mut mesh = strip(h, [1, cells(WIDTH, h)]);
     mesh.planes[0] = [PlaneCondition::Antisymmetric; 2];
     mesh.planes[1] = [PlaneCondition::Fixed; 2];
     let mut scene = plane_scene("fluid_flow", mesh, AT_END * CROSSING);
@@ -173,62 +165,43 @@ fn scene(rung: &Rung, law: AnyLaw, driven: FlowDrive) -> Scene {
 }
 
 /// Relative error of the velocity along the walls, exact by the distance from the one at rest.
-fn error_of_velocity(simulation: &Simulation, exact: impl Fn(f64) -> f64) -> Option<f64> {
-    let set = &simulation.sets()[0];
-    l2(simulation, |p, x| {
+fn error_of_velocity(run: &Run<'_>, exact: impl Fn(f64) -> f64) -> Option<f64> {
+    let set = &run.simulation.sets()[0];
+    l2(run.simulation, |p, x| {
         Some(([set.velocity(p)[0]], [exact(x[1])]))
     })
 }
 
 /// Runs to both times; velocities are exact by the distance from the wall at rest and the time.
-fn flow(
-    rung: &Rung,
-    simulation: &mut Simulation,
-    observer: &mut dyn Observer,
-    exact: impl Fn(f64, f64) -> f64,
-) -> Result<Measurements, Failure> {
+fn flow(run: Run<'_>, exact: impl Fn(f64, f64) -> f64) -> Result<Measurements, Failure> {
     let mut errors = [None; 2];
     for (error, time) in errors.iter_mut().zip(TIMES) {
-        run_until(simulation, time * CROSSING, observer, |_| {})?;
-        let time = simulation.velocity_time();
-        *error = error_of_velocity(simulation, |y| exact(y, time));
+        run_until(run.simulation, time * CROSSING, run.observer, |_| {})?;
+        let time = run.simulation.velocity_time();
+        *error = error_of_velocity(&run, |y| exact(y, time));
     }
-    let quantities = vec![ratio(STARTING, errors[0]), ratio(AT_LAST, errors[1])];
-    let time = simulation.velocity_time();
-    let curve = profile(rung, simulation, |y| exact(y, time));
-    Ok(Measurements::of(quantities).drawn(curve))
+    let quantities = [ratio(STARTING, errors[0]), ratio(AT_LAST, errors[1])];
+    let time = run.simulation.velocity_time();
+    Ok(Measurements::of(quantities).drawn(profile(&run, |y| exact(y, time))))
 }
 
 /// Runs to the end; velocity and shear stress are exact by the distance from the wall at rest.
-fn at_last(
-    rung: &Rung,
-    simulation: &mut Simulation,
-    observer: &mut dyn Observer,
-    exact: impl Fn(f64) -> (f64, f64),
-) -> Result<Measurements, Failure> {
-    run_until(simulation, AT_END * CROSSING, observer, |_| {})?;
-    let velocity = error_of_velocity(simulation, |y| exact(y).0);
-    let set = &simulation.sets()[0];
+fn at_last(run: Run<'_>, exact: impl Fn(f64) -> (f64, f64)) -> Result<Measurements, Failure> {
+    run_until(run.simulation, AT_END * CROSSING, run.observer, |_| {})?;
+    let velocity = error_of_velocity(&run, |y| exact(y).0);
     let mut quantities = vec![ratio(AT_LAST, velocity)];
     if exact(0.0).1.is_finite() {
-        let stress = l2(simulation, |p, x| {
-            Some(([set.stress(p)[5]], [exact(x[1]).1]))
-        });
-        quantities.push(ratio(STRESS, stress));
+        let shear = |p, x: [f64; 3]| Some(([run.stress(p)[5]], [exact(x[1]).1]));
+        quantities.push(ratio(STRESS, l2(run.simulation, shear)));
     }
-    let curve = profile(rung, simulation, |y| exact(y).0);
-    Ok(Measurements::of(quantities).drawn(curve))
+    Ok(Measurements::of(quantities).drawn(profile(&run, |y| exact(y).0)))
 }
 
 /// Velocity over the channel.
-fn profile(rung: &Rung, simulation: &Simulation, exact: impl Fn(f64) -> f64) -> Option<Curve> {
-    let set = &simulation.sets()[0];
-    let points = along(simulation, 1, |p, y| {
-        [1e6 * set.velocity(p)[0], 1e6 * exact(y)]
-    })?;
-    Some(Curve::new(
-        format!("velocity over the channel, {}", rung.label),
-        ["distance from the wall at rest (m)", "velocity (µm/s)"],
-        points,
-    ))
+fn profile(run: &Run<'_>, exact: impl Fn(f64) -> f64) -> Option<Curve> {
+    let set = &run.simulation.sets()[0];
+    let points = run.along(1, |p, y| [1e6 * set.velocity(p)[0], 1e6 * exact(y)])?;
+    let title = format!("velocity over the channel, {}", run.rung.label);
+    let names = ["distance from the wall at rest (m)", "velocity (µm/s)"];
+    Some(Curve::new(title, names, points))
 }

@@ -33,8 +33,7 @@ pub(super) const REST: Problem = Problem {
 
 fn scene(rung: &Rung) -> Scene {
     let h = rung.cell;
-    let cells = (HEIGHT / h).round() as usize;
-    let mut mesh = Mesh::new(Dimension::Two, [0.0; 3], [h; 3], [1, cells + 1, 1]);
+    let mut mesh = strip(h, [1, cells(HEIGHT, h) + 1]);
     mesh.planes[1][1] = PlaneCondition::Free;
     let mut scene = plane_scene("fluid_at_rest", mesh, 1.0);
     scene.gravity = [0.0, -GRAVITY, 0.0];
@@ -48,48 +47,38 @@ fn scene(rung: &Rung) -> Scene {
     scene
 }
 
-fn run(
-    reference: Reference,
-    rung: &Rung,
-    simulation: &mut Simulation,
-    observer: &mut dyn Observer,
-) -> Result<Measurements, Failure> {
-    let weight = DENSITY * GRAVITY * HEIGHT * rung.cell;
-    let most = most_steps(&Settings::new(METHOD), HEIGHT / rung.cell);
-    relax(simulation, weight, RESIDUAL, most, observer)?;
+fn run(run: Run<'_>) -> Result<Measurements, Failure> {
+    let weight = DENSITY * GRAVITY * HEIGHT * run.rung.cell;
+    let most = most_steps(&Settings::new(METHOD), HEIGHT / run.rung.cell);
+    relax(run.simulation, weight, RESIDUAL, most, run.observer)?;
     let exact = SelfWeightColumn {
         law: Law::RateElastic,
         height: HEIGHT,
         density: DENSITY,
-        gravity: reference.of(&WRONG_FORCE) * GRAVITY,
+        gravity: run.reference.of(&WRONG_FORCE) * GRAVITY,
         lambda: BULK,
         mu: 0.0,
     };
-    let set = &simulation.sets()[0];
     let pressure = |p: usize| {
-        let s = set.stress(p);
+        let s = run.stress(p);
         -(s[0] + s[1] + s[2]) / 3.0
     };
-    let pressures = l2(simulation, |p, x| {
+    let pressures = l2(run.simulation, |p, x| {
         Some(([pressure(p)], [-exact.vertical_stress(x[1])]))
     });
-    let displacement = l2(simulation, |p, x| {
+    let displacement = l2(run.simulation, |p, x| {
         let u = [0.0, exact.position(x[1]) - x[1], 0.0];
-        Some((simulation.displacement(0, p)?, u))
+        Some((run.simulation.displacement(0, p)?, u))
     });
-    let points = along(simulation, 1, |p, y| {
+    let points = run.along(1, |p, y| {
         [pressure(p) / 1e3, -exact.vertical_stress(y) / 1e3]
     });
-    let curve = points.map(|points| {
-        Curve::new(
-            format!("pressure over the column, {}", rung.label),
-            ["initial height (m)", "pressure (kPa)"],
-            points,
-        )
-    });
-    let quantities = vec![
+    let title = format!("pressure over the column, {}", run.rung.label);
+    let names = ["initial height (m)", "pressure (kPa)"];
+    let quantities = [
         ratio(PRESSURE, pressures),
         ratio(DISPLACEMENT, displacement),
     ];
+    let curve = points.map(|points| Curve::new(title, names, points));
     Ok(Measurements::of(quantities).drawn(curve))
 }

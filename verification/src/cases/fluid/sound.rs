@@ -33,14 +33,6 @@ fn diffusivity() -> f64 {
     2.0 * DECAY * SPEED * LENGTH / PI
 }
 
-fn exact(reference: Reference) -> DampedSound {
-    DampedSound {
-        speed: SPEED,
-        diffusivity: reference.of(&WRONG_VISCOSITY) * diffusivity(),
-        wave_number: PI / LENGTH,
-    }
-}
-
 /// The velocity at the start, where a rung has one.
 pub(super) fn initial(rung: &Rung) -> Option<InitialField> {
     (rung.variant == SOUND.variant).then(|| {
@@ -53,8 +45,7 @@ pub(super) fn initial(rung: &Rung) -> Option<InitialField> {
 
 fn scene(rung: &Rung) -> Scene {
     let h = rung.cell;
-    let cells = (LENGTH / h).round() as usize;
-    let mesh = Mesh::new(Dimension::Two, [0.0; 3], [h; 3], [cells, 1, 1]);
+    let mesh = strip(h, [cells(LENGTH, h), 1]);
     let end = PERIODS * 2.0 * LENGTH / SPEED;
     let mut scene = plane_scene("fluid_sound", mesh, end);
     let viscosity = 0.75 * DENSITY * diffusivity();
@@ -63,33 +54,26 @@ fn scene(rung: &Rung) -> Scene {
     scene.bodies = vec![body("fluid", 1, rectangle([0.0; 2], [LENGTH, h]))];
     Settings::new(Method::DEFAULT).apply(&mut scene);
     let steps = (end * SPEED / (COURANT * h * CELLS * h / LENGTH)).ceil();
-    scene.time_step = TimeStep::Fixed {
-        dt: end / steps,
-        allow_unstable: false,
-    };
+    scene.time_step = equal_steps_of(end / steps);
     scene
 }
 
+/// Share of the mode in the velocities.
+fn amplitude(simulation: &Simulation) -> Result<f64, Failure> {
+    let set = &simulation.sets()[0];
+    let (mut sum, mut norm) = (0.0, 0.0);
+    for p in 0..set.len() {
+        let start = simulation.initial_position(0, p);
+        let shape = sin(PI * start.ok_or("no initial positions")?[0] / LENGTH);
+        sum += shape * set.velocity(p)[0];
+        norm += shape * shape;
+    }
+    Ok(sum / norm)
+}
+
 /// Steps to the end; the decay of the mode in the velocities.
-fn run(
-    reference: Reference,
-    _: &Rung,
-    simulation: &mut Simulation,
-    observer: &mut dyn Observer,
-) -> Result<Measurements, Failure> {
-    let amplitude = |simulation: &Simulation| {
-        let set = &simulation.sets()[0];
-        let (mut sum, mut norm) = (0.0, 0.0);
-        for p in 0..set.len() {
-            let x = simulation
-                .initial_position(0, p)
-                .ok_or("no initial positions")?[0];
-            let shape = sin(PI * x / LENGTH);
-            sum += shape * set.velocity(p)[0];
-            norm += shape * shape;
-        }
-        Ok::<f64, Failure>(sum / norm)
-    };
+fn run(run: Run<'_>) -> Result<Measurements, Failure> {
+    let (simulation, observer) = (run.simulation, run.observer);
     let end = simulation.scene().time;
     let mut all = vec![amplitude(simulation)?];
     observer.phase(Phase::Stepping);
@@ -98,10 +82,14 @@ fn run(
         all.push(amplitude(simulation)?);
     }
     observer.phase(Phase::Comparing);
-    let exact = exact(reference).decay();
+    let exact = DampedSound {
+        speed: SPEED,
+        diffusivity: run.reference.of(&WRONG_VISCOSITY) * diffusivity(),
+        wave_number: PI / LENGTH,
+    };
     // The first velocity is half a step from the next, all others are a whole one apart.
     let rate = decay(&all[1..], end / simulation.steps() as f64);
-    let quantity = Quantity::compared(RATE, rate, exact, "1/s");
+    let quantity = Quantity::compared(RATE, rate, exact.decay(), "1/s");
     Ok(Measurements::of([quantity]))
 }
 

@@ -41,12 +41,7 @@ pub(super) fn pressed(rung: &Rung) -> Guest {
     let h = rung.cell;
     let exact = CLAY.ground().bearing();
     let [wide, deep] = CLAY.footing().extent();
-    let mut mesh = Mesh::new(
-        Dimension::Two,
-        [0.0; 3],
-        [h; 3],
-        [cells(wide, h), cells(deep + HEIGHT, h), 1],
-    );
+    let mut mesh = strip(h, [cells(wide, h), cells(deep + HEIGHT, h)]);
     mesh.planes[1] = [PlaneCondition::Fixed, PlaneCondition::Free];
     let shear = YOUNG / (2.0 * (1.0 + POISSON));
     let time = CROSSED * WIDTH / (shear / DENSITY).sqrt();

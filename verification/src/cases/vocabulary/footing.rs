@@ -94,27 +94,25 @@ impl Footing {
     }
 }
 
-/// Gates of the load of a rung over the exact one: the most by which it is above, in cells over a width \[m\], and its least, each
-/// with the reason. Cells count no finer than B/16: there the order says how the rest falls.
-pub fn gates(
-    runs: &Runs<'_>,
-    rung: &Rung,
-    width: f64,
-    [most, least]: [(f64, &'static str); 2],
-) -> [Gate; 2] {
-    let load = runs.run(&rung.label).and_then(|run| run.quantity(LOAD));
-    let over = load.and_then(|load| Some(load.value / load.exact?));
-    let (over, name) = (over.unwrap_or(f64::NAN), format!("{}: {LOAD}", rung.label));
-    let bound = most.0 * (rung.cell / width).max(1.0 / 16.0);
-    let below = format!("{name} over the exact one");
-    [
-        Gate::at_most(name, over - 1.0, bound, most.1),
-        Gate::at_least(below, over, least.0, least.1),
-    ]
+/// Gate on the load of each rung: the most by which it is above the exact one.
+pub const fn above(most: fn(&Rung) -> f64, reason: &'static str) -> GateRule {
+    excess(LOAD).at_most_by(most, reason).of_each()
 }
 
-/// Gate of the order of the load of a variant.
-pub fn order_of(runs: &Runs<'_>, variant: &'static str) -> Gate {
-    let reason = "falls with h: the edge of the footing is a share of a cell";
-    runs.gate_of(variant, &order(LOAD).at_least(0.7, reason))
+/// Gate on the load of each rung: its least over the exact one.
+pub const fn below(least: f64, reason: &'static str) -> GateRule {
+    share(LOAD).at_least(least, reason).of_each()
+}
+
+/// Gate on the order of the load of a variant.
+pub const ORDER: GateRule = order(LOAD)
+    .at_least(
+        0.7,
+        "falls with h: the edge of the footing is a share of a cell",
+    )
+    .of_several();
+
+/// Cell size over a width \[m\], no finer than 1/16: there the order says how the rest of the load falls.
+pub fn coarse(rung: &Rung, width: f64) -> f64 {
+    (rung.cell / width).max(1.0 / 16.0)
 }

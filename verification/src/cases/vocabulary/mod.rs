@@ -2,6 +2,7 @@
 
 pub mod far_boundary;
 pub mod footing;
+pub mod impulse;
 pub mod incline;
 pub mod lid;
 pub mod mortar;

@@ -37,6 +37,25 @@ impl<F: Fn(Vector, f64) -> Option<Vector> + Send + Sync> Condition for Prescribe
     }
 }
 
+/// Nodes that get the velocity of a field as it is at the end of a step, whatever acts on them.
+pub struct SetVelocity<F> {
+    velocity: F,
+}
+
+impl<F: Fn(Vector, f64) -> Vector + Send + Sync> SetVelocity<F> {
+    /// Nodes whose velocity is that of a field \[m/s\] by place \[m\] and time \[s\].
+    pub const fn by(velocity: F) -> Self {
+        Self { velocity }
+    }
+}
+
+impl<F: Fn(Vector, f64) -> Vector + Send + Sync> Condition for SetVelocity<F> {
+    fn after(&self, field: &mut FieldNodes<'_, '_>) {
+        let time = field.time();
+        field.for_each(|node| node.set_velocity((self.velocity)(node.position(), time)));
+    }
+}
+
 /// Share of the way from rest to rest at a share of the time, 10 s³ - 15 s⁴ + 6 s⁵, and its derivative.
 pub fn smooth(share: f64) -> [f64; 2] {
     let s = share.clamp(0.0, 1.0);

@@ -1,9 +1,11 @@
 //! Parts of scenes: materials, bodies, meshes and initial states as most cases have them.
 
+use proctor_contact::geometry::surface::Surface;
 use proctor_laws::{AnyLaw, LinearElastic};
 use proctor_scene::simulation::{InitialState, Options};
 use proctor_scene::{
-    Body, Dimension, InitialStress, Material, Mesh, PlaneCondition, Results, Scene, Shape, Vector,
+    Body, Dimension, InitialStress, Material, Mesh, PlaneCondition, Results, RigidSurface, Scene,
+    Shape, TimeStep, Vector,
 };
 use std::sync::Arc;
 
@@ -156,6 +158,52 @@ pub fn driven(
         body_force: Some(Arc::new(move |x0, _, t| force(x0, t))),
         ..options
     }
+}
+
+/// Equal steps of a length \[s\] within the bound of the method.
+pub const fn equal_steps_of(dt: f64) -> TimeStep {
+    TimeStep::Fixed {
+        dt,
+        allow_unstable: false,
+    }
+}
+
+/// Speed of shear waves in an elastic solid \[m/s; Pa, kg/m³\].
+pub fn s_wave_speed(young: f64, poisson: f64, density: f64) -> f64 {
+    (young / (2.0 * (1.0 + poisson)) / density).sqrt()
+}
+
+/// A rigid surface by an STL text that is sound, on which bodies rub, and the distance within which it acts \[m\]. Were the text
+/// not sound, a scene without the surface would fail every gate.
+pub fn stl_surface(
+    name: &str,
+    text: &[u8],
+    friction: f64,
+    distance_threshold: f64,
+) -> Option<RigidSurface> {
+    let corners = proctor_files::stl::parse(text).ok()?;
+    Some(RigidSurface {
+        name: name.to_owned(),
+        surface: Arc::new(Surface::new(&corners).ok()?),
+        friction,
+        distance_threshold,
+        penalty_stiffness: None,
+        motion: None,
+    })
+}
+
+/// The larger one; what is no number stays.
+pub fn larger(most: f64, next: f64) -> f64 {
+    if next > most || next.is_nan() {
+        next
+    } else {
+        most
+    }
+}
+
+/// The largest, zero where there is none; what is no number stays.
+pub fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
+    values.into_iter().fold(0.0, larger)
 }
 
 /// Speed of pressure waves in an elastic solid \[m/s; Pa, kg/m³\].
