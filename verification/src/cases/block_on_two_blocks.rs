@@ -53,7 +53,7 @@ const WRONG_WEIGHT: Wrong = Wrong::factor("weight", 1.01).breaks(|gate| gate.con
 /// A block on two blocks.
 pub static BLOCK_ON_TWO_BLOCKS: Case = Case::new("block-on-two-blocks", "Does a block on two others share its weight between them, where three bodies meet at a node?")
     .ladder(Ladder::made(rungs))
-    .method(method)
+    .method(|rung| Settings::new(Method::DEFAULT.with_scheme(variant(rung).1)).courant(COURANT))
     .scene_by(scene)
     .run(compare)
     .gates_of_rungs(&[
@@ -69,7 +69,7 @@ pub static BLOCK_ON_TWO_BLOCKS: Case = Case::new("block-on-two-blocks", "Does a 
     error(SUM).at_most(1e-12, "every force has its opposite; round-off is left"),
 ])
     .wrong_references(&[WRONG_PLACE, WRONG_WEIGHT])
-    .studies(&[Plan::new(Ladder::made(path), &[
+    .studies(&[Plan::new(Ladder::sizes(&[("2D USL", &[0.1, 0.05])], &[("2D USL", &[0.1, 0.05, 0.025])]), &[
         Measure::new("stress", STRESSES[1]),
         Measure::new("pillar-stress", STRESSES[0]),
     ], 2).trying(few)])
@@ -104,35 +104,6 @@ fn variant(rung: &Rung) -> (Dimension, StressScheme) {
     (dimension, scheme)
 }
 
-fn quantities(
-    reference: Reference,
-    simulation: &Simulation,
-    window: &Window,
-    before: f64,
-) -> Vec<Quantity> {
-    let up = simulation.scene().dimension.axes() - 1;
-    let center = simulation.center(2);
-    let (mass, velocity) = (center.mass, center.velocity);
-    let weight = mass * GRAVITY;
-    let exact = weight / reference.of(&WRONG_WEIGHT);
-    let all = weight * window.time;
-    let [left, right, block] = window.impulse;
-    let change = mass * (velocity[up] - before);
-    let total = block / window.time / exact;
-    let stress = |of: usize, exact: f64| {
-        let value = window.stress[of] / f64::from(window.samples);
-        Quantity::compared(STRESSES[of], value, exact, "Pa")
-    };
-    vec![
-        Quantity::compared(TOTAL, total, 1.0, "1"),
-        Quantity::of_zero(SHARES, (left - right) / all),
-        Quantity::of_zero(MOMENTUM, (block - all - change) / all),
-        Quantity::of_zero(SUM, window.sum / weight),
-        stress(0, -0.5 * DENSITY * GRAVITY * (WIDTH + HEIGHT)),
-        stress(1, -0.5 * DENSITY * GRAVITY * HEIGHT),
-    ]
-}
-
 fn rungs(size: Size) -> Vec<Rung> {
     let cells: &[(f64, usize)] = match size {
         Size::Quick => &[(0.1, 3)],
@@ -145,16 +116,11 @@ fn rungs(size: Size) -> Vec<Rung> {
     cells.iter().flat_map(of).collect()
 }
 
-fn method(rung: &Rung) -> Settings {
-    let (_, scheme) = variant(rung);
-    Settings::new(Method::DEFAULT.with_scheme(scheme)).courant(COURANT)
-}
-
 fn scene(rung: &Rung, settings: &Settings, reference: Reference) -> Scene {
     let (dimension, _) = variant(rung);
     let h = rung.cell;
     let up = dimension.axes() - 1;
-    let cells = |length: f64| (length / h).round() as usize;
+    let cells = |length: f64| cells(length, h);
     // Two cells of air on both sides of the pillars, and above the block.
     let air = 2.0 * h;
     let (long, high) = (cells(2.0 * WIDTH) + 4, cells(WIDTH + HEIGHT) + 2);
@@ -203,7 +169,6 @@ fn scene(rung: &Rung, settings: &Settings, reference: Reference) -> Scene {
 }
 
 fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
-    let reference = run.reference;
     let (simulation, observer) = (run.simulation, run.observer);
     let up = simulation.scene().dimension.axes() - 1;
     let end = simulation.scene().time;
@@ -213,37 +178,49 @@ fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
     let mut kicked = simulation.velocity_time();
     let mut window = Window::default();
     run_until(simulation, end, observer, |s| {
-        let kick = s.velocity_time() - kicked;
+        window.add(s, up, s.velocity_time() - kicked);
         kicked = s.velocity_time();
-        window.time += kick;
-        if s.steps().is_multiple_of(SAMPLED) {
-            let stress = mean_stress(s, up);
-            window.stress[0] += stress[0];
-            window.stress[1] += stress[1];
-            window.samples += 1;
+    })?;
+    let block = simulation.center(2);
+    let weight = block.mass * GRAVITY;
+    let exact = weight / run.reference.of(&WRONG_WEIGHT);
+    let all = weight * window.time;
+    let [left, right, given] = window.impulse;
+    let change = block.mass * (block.velocity[up] - before);
+    let stress = |of: usize, exact: f64| {
+        let value = window.stress[of] / f64::from(window.samples);
+        Quantity::compared(STRESSES[of], value, exact, "Pa")
+    };
+    Ok(Measurements::of([
+        Quantity::compared(TOTAL, given / window.time / exact, 1.0, "1"),
+        Quantity::of_zero(SHARES, (left - right) / all),
+        Quantity::of_zero(MOMENTUM, (given - all - change) / all),
+        Quantity::of_zero(SUM, window.sum / weight),
+        stress(0, -0.5 * DENSITY * GRAVITY * (WIDTH + HEIGHT)),
+        stress(1, -0.5 * DENSITY * GRAVITY * HEIGHT),
+    ]))
+}
+
+impl Window {
+    /// Adds a step, whose forces acted for a time \[s\].
+    fn add(&mut self, simulation: &Simulation, up: usize, kick: f64) {
+        self.time += kick;
+        if simulation.steps().is_multiple_of(SAMPLED) {
+            let stress = mean_stress(simulation, up);
+            self.stress[0] += stress[0];
+            self.stress[1] += stress[1];
+            self.samples += 1;
         }
         let mut sum = [0.0; 3];
         for body in 0..3 {
-            let force = s.contact_force(body);
-            window.impulse[body] += force[up] * kick;
+            let force = simulation.contact_force(body);
+            self.impulse[body] += force[up] * kick;
             for axis in 0..3 {
                 sum[axis] += force[axis];
             }
         }
-        window.sum = sum.iter().fold(window.sum, |most, f| most.max(f.abs()));
-    })?;
-    Ok(Measurements::of(quantities(
-        reference, simulation, &window, before,
-    )))
-}
-
-fn path(size: Size) -> Vec<Rung> {
-    let (variant, ..) = VARIANTS[0];
-    let cells: &[f64] = match size {
-        Size::Quick => &[0.1, 0.05],
-        Size::Full => &[0.1, 0.05, 0.025],
-    };
-    Rung::ladders(&[(variant, cells)])
+        self.sum = sum.iter().fold(self.sum, |most, f| most.max(f.abs()));
+    }
 }
 
 /// Mean vertical stress of the pillars and of the block \[Pa\], weighted by mass.

@@ -82,13 +82,8 @@ pub static BOUSSINESQ: Case = Case::new(
 
 /// The rungs of a loading with so many cells along a side.
 fn rungs_of(loading: Loading, cells: &[u32]) -> Vec<Rung> {
-    let rung = |&n: &u32| {
-        Rung::labelled(
-            format!("{} h=1/{n}", loading.word()),
-            loading.word(),
-            1.0 / f64::from(n),
-        )
-    };
+    let word = loading.word();
+    let rung = |&n: &u32| Rung::labelled(format!("{word} h=1/{n}"), word, 1.0 / f64::from(n));
     cells.iter().map(rung).collect()
 }
 
@@ -154,7 +149,7 @@ fn path(size: Size) -> Vec<Rung> {
 
 fn guest(rung: &Rung) -> Result<Guest, &'static str> {
     let loading = Loading::of_word(rung.variant);
-    let exact = model::exact(loading, Reference::CORRECT.of(&WRONG_POISSON))
+    let exact = model::exact(loading, POISSON)
         .map_err(|_| "no box has an exact solution with its Poisson's ratio")?;
     let speed = model::wave_speed();
     let mut scene = scene(rung, &guest::settings());
@@ -170,13 +165,9 @@ fn guest(rung: &Rung) -> Result<Guest, &'static str> {
         ..Guest::new(scene, |_, _| [0.0; 3]).at_the_end()
     };
     Ok(guest.with_stresses(Box::new(move |starts, _| {
-        let all = of_stress.stress_many(starts).into_iter();
+        let ordered = |[xx, yy, zz, xy, yz, xz]: [f64; 6]| [xx, yy, zz, yz, xz, xy];
         // The series has no values at the loaded surface, where no particle begins.
-        all.map(|s| {
-            s.map_or([f64::NAN; 6], |[xx, yy, zz, xy, yz, xz]| {
-                [xx, yy, zz, yz, xz, xy]
-            })
-        })
-        .collect()
+        let all = of_stress.stress_many(starts).into_iter();
+        all.map(|s| s.map_or([f64::NAN; 6], ordered)).collect()
     })))
 }

@@ -60,10 +60,14 @@ pub static CANTILEVER: Case = Case::new("cantilever", "Does a soft cantilever sw
     .ladder(Ladder::made(rungs))
     .method(method)
     .scene(scene)
-    .options(options)
-    .prepare(prepare)
+    .displacements()
+    .prepare(|rung, reference| {
+        let _ = known(reference, rung.variant);
+    })
     .run(compare)
+    .tables(&[TableRule::new("{variant}", &[TIP, TROUGH]).of(|variant| [SMALL, LARGE].contains(&variant))])
     .judge_by(judge)
+    .line_of_each(line)
     .wrong_references(&[WRONG_GRAVITY])
     .studies(&[Plan::new(Ladder::made(path), &[Measure::new("displacement", TIP)], 2)])
     .no_guest("its reference is the history of a tip that vertices of its boundary follow, and frames of particles have none there");
@@ -176,12 +180,10 @@ fn tip_quantities(history: &[f64], exact: &[f64]) -> Vec<Quantity> {
     let off = rms(history.iter().zip(exact).map(|(a, b)| a - b));
     let mut quantities = vec![ratio(TIP, Some(off / rms(exact.iter().copied())))];
     if let (Some(found), Some(known)) = (trough(history), trough(exact)) {
-        for (name, value, exact, unit) in [
-            (TROUGH, found.1, known.1, "m"),
-            (TROUGH_TIME, found.0, known.0, "s"),
-        ] {
-            quantities.push(Quantity::compared(name, value, exact, unit));
-        }
+        quantities.extend([
+            Quantity::compared(TROUGH, found.1, known.1, "m"),
+            Quantity::compared(TROUGH_TIME, found.0, known.0, "s"),
+        ]);
     }
     quantities
 }
@@ -202,71 +204,59 @@ fn rungs(size: Size) -> Vec<Rung> {
 }
 
 fn judge(runs: &Runs<'_>) -> Verdict {
-    let gate = |label, name, bound, reason| runs.error_at_most(label, name, bound, reason);
+    let tip = |label, name, bound, reason| runs.error_at_most(label, name, bound, reason);
+    let vertices = |variant: &str, gate: NewGate, bound, reason| {
+        let label = format!("{variant} h={JUDGED}");
+        let found = runs.value(&label, FROM_PARTICLES);
+        gate(format!("{label}: {FROM_PARTICLES}"), found, bound, reason)
+    };
     let figures = "the method's reference figures: 2.0, 0.4 and 0.02 %";
     let half = "the method's reference figures: 0.5 %";
     let large = "the method's reference figures: 2.6 %";
-    let mut gates = vec![
-        gate("g=1 h=0.25", TIP, 0.025, figures),
-        gate("g=10 h=0.25", TIP, 0.05, large),
-        gate("g=10 h=0.25", TROUGH, 0.015, half),
-        gate("g=10 h=0.25", TROUGH_TIME, 0.01, half),
-    ];
-    let mut vertices = |variant: &str, gate: NewGate, bound, reason| {
-        let label = format!("{variant} h={JUDGED}");
-        let found = runs.value(&label, FROM_PARTICLES);
-        gates.push(gate(
-            format!("{label}: {FROM_PARTICLES}"),
-            found,
-            bound,
-            reason,
-        ));
-    };
     let close = "a twelfth of a cell; the method's reference figures: 0.014 m with spin, 0.011 m with gradient";
     let far = "without its spin a vertex lags behind: 0.09 m in the method's reference figures";
     let lost = "without augmentation vertices drift: 0.16 m in the method's reference figures";
-    vertices(LARGE, Gate::at_most, 0.02, close);
-    vertices(NO_SPIN, Gate::at_least, 0.05, far);
+    let mut gates = vec![
+        tip("g=1 h=0.25", TIP, 0.025, figures),
+        tip("g=10 h=0.25", TIP, 0.05, large),
+        tip("g=10 h=0.25", TROUGH, 0.015, half),
+        tip("g=10 h=0.25", TROUGH_TIME, 0.01, half),
+        vertices(LARGE, Gate::at_most, 0.02, close),
+        vertices(NO_SPIN, Gate::at_least, 0.05, far),
+    ];
     if runs.size == Size::Full {
-        vertices(GRADIENT, Gate::at_most, 0.02, close);
-        vertices(UNIFORM, Gate::at_most, 0.02, close);
-        vertices(NO_AUGMENTATION, Gate::at_least, 0.1, lost);
-        for (label, bound) in [("g=1 h=0.125", 0.01), ("g=1 h=0.0625", 0.005)] {
-            gates.push(gate(label, TIP, bound, figures));
-        }
+        gates.extend([
+            vertices(GRADIENT, Gate::at_most, 0.02, close),
+            vertices(UNIFORM, Gate::at_most, 0.02, close),
+            vertices(NO_AUGMENTATION, Gate::at_least, 0.1, lost),
+            tip("g=1 h=0.125", TIP, 0.01, figures),
+            tip("g=1 h=0.0625", TIP, 0.005, figures),
+        ]);
     }
-    let swings = [SMALL, LARGE].map(|v| (v.to_owned(), runs.table(Some(v), &[TIP, TROUGH])));
     Verdict {
-        tables: swings.into(),
         gates,
-        for_the_record: runs.solved
-            .iter()
-            .filter(|(rung, _)| rung.variant != SMALL && rung.cell == JUDGED)
-            .map(|(rung, s)| {
-                format!(
-                    "{}: vertices at {HANGING} s {:.4} m (farthest {:.3} m) from where their particles take them, \
-                     {:.4} m from the reference",
-                    rung.label,
-                    s.value(FROM_PARTICLES),
-                    s.value(FARTHEST),
-                    s.value(FROM_REFERENCE),
-                )
-            })
-            .collect(),
         ..Verdict::default()
     }
 }
 
+/// The vertices of a beam that hangs, for the record.
+fn line(rung: &Rung, run: &RungResult) -> Option<String> {
+    (rung.variant != SMALL && rung.cell == JUDGED).then(|| {
+        format!(
+            "{}: vertices at {HANGING} s {:.4} m (farthest {:.3} m) from where their particles take them, {:.4} m from the \
+             reference",
+            rung.label,
+            run.value(FROM_PARTICLES),
+            run.value(FARTHEST),
+            run.value(FROM_REFERENCE),
+        )
+    })
+}
+
 fn method(rung: &Rung) -> Settings {
     let keeps_size = [UNIFORM, NO_AUGMENTATION].contains(&rung.variant);
-    let method = Method {
-        weighting: if keeps_size {
-            Weighting::UniformGimp
-        } else {
-            PAPER.weighting
-        },
-        ..PAPER
-    };
+    let uniform = PAPER.with_weighting(Weighting::UniformGimp);
+    let method = if keeps_size { uniform } else { PAPER };
     settings(method, 3).courant(courant(rung.variant))
 }
 
@@ -274,11 +264,9 @@ fn method(rung: &Rung) -> Settings {
 fn scene(rung: &Rung, settings: &Settings) -> Scene {
     let h = rung.cell;
     let mesh = open_plane(h, [-3.0, -5.0], [5.0, 2.5]);
-    let mut scene = Scene::new(Dimension::Two, mesh, ends(rung.variant));
-    scene.name.clone_from(&rung.label);
+    let mut scene = plane_scene(&rung.label, mesh, ends(rung.variant));
     scene.gravity = [0.0, -gravity(rung.variant), 0.0];
     scene.time_step = settings.multiplier();
-    scene.results = NO_RESULTS;
     scene.held_boxes = vec![HeldBox {
         p1: [-h, -h, 0.0],
         p2: [0.0, HEIGHT + h, 0.0],
@@ -302,24 +290,11 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
     scene
 }
 
-fn options(_rung: &Rung, _: Reference, options: Options) -> Options {
-    Options {
-        displacement: true,
-        ..options
-    }
-}
-
-fn prepare(rung: &Rung, reference: Reference) {
-    let _ = known(reference, rung.variant);
-}
-
 fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
-    let (rung, reference) = (run.rung, run.reference);
-    let (simulation, observer) = (run.simulation, run.observer);
+    let (rung, simulation) = (run.rung, run.simulation);
     let tip = tip_particle(simulation, rung.cell)?;
     let starts = simulation.boundary_vertices(1);
-    let mut history = vec![];
-    let mut hanging = None;
+    let (mut history, mut hanging) = (vec![], None);
     let look = |simulation: &Simulation, k: usize| {
         history.push(displacement(simulation, tip)?[1]);
         if let (true, Some(starts)) = (k == (HANGING / INTERVAL) as usize, &starts) {
@@ -327,25 +302,19 @@ fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
         }
         Ok(())
     };
-    at_intervals(simulation, INTERVAL, observer, |_| (), look)?;
-    let reference = known(reference, rung.variant)?;
-    let mut quantities = vec![];
-    let mut curve = None;
+    at_intervals(simulation, INTERVAL, run.observer, |_| (), look)?;
+    let reference = known(run.reference, rung.variant)?;
+    let (mut quantities, mut curve) = (vec![], None);
     if simulation.scene().time == END {
         let cell = CELLS.iter().position(|h| *h == rung.cell);
         let exact = &reference.tips[cell.ok_or("a cell size without a reference")?];
         quantities = tip_quantities(&history, exact);
-        curve = Some(Curve::new(
-            format!("{}: deflection of the tip", rung.label),
-            ["t in s", "u_y in m"],
-            history
-                .iter()
-                .zip(exact)
-                .enumerate()
-                .map(|(k, (&computed, &exact))| {
-                    CurvePoint::new((k + 1) as f64 * INTERVAL, computed, exact)
-                }),
-        ));
+        let pairs = history.iter().zip(exact).enumerate();
+        let points = pairs.map(|(k, (&computed, &exact))| {
+            CurvePoint::new((k + 1) as f64 * INTERVAL, computed, exact)
+        });
+        let title = format!("{}: deflection of the tip", rung.label);
+        curve = Some(Curve::new(title, ["t in s", "u_y in m"], points));
     }
     if let Some(hanging) = hanging {
         let sound = ![NO_SPIN, NO_AUGMENTATION].contains(&rung.variant);

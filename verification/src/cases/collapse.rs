@@ -14,7 +14,7 @@
 //! No scene of the manuals has a stress at the start, so that theirs is let go before it is strained.
 
 use super::prelude::*;
-use super::vocabulary::run_out::{self, FRONT, RunOut, TOP};
+use super::vocabulary::run_out;
 
 const WIDTH: f64 = 1.0; // Width of the columns of sand, d [m]
 const GRAVITY: f64 = 9.81; // Gravity [m/s²]
@@ -136,7 +136,14 @@ pub static COLLAPSE: Case = Case::new(
 .ladder(Ladder::made(rungs))
 .scene(scene)
 .run(compare)
-.judge_by(judge)
+.gates_of_rungs(&[
+    run_out::LOSES_NOTHING,
+    run_out::GAINS_NOTHING,
+    run_out::GIVES_NOTHING_BACK,
+    run_out::STAYS_ON_ITS_PATH,
+    run_out::RESTS.on(|rung| !Column::of(rung).is_water),
+])
+.line_of_each(line)
 .wrong_references(&[WRONG_WORK])
 .no_study("nothing exact is known of a heap but balances, which hold whatever the settings")
 .guests_along(&Plan::new(
@@ -151,9 +158,7 @@ fn let_go(rung: &Rung) -> Guest {
     let column = Column::of(rung);
     let mut scene = scene(rung, &guest::settings());
     let method = guest::settings().method.with_transfer(METHOD.transfer);
-    Settings::new(method)
-        .courant(guest::COURANT)
-        .apply(&mut scene);
+    (Settings::new(method).courant(guest::COURANT)).apply(&mut scene);
     scene.name = "collapse".into();
     for body in &mut scene.bodies {
         body.initial_stress = InitialStress::None;
@@ -182,89 +187,55 @@ fn let_go(rung: &Rung) -> Guest {
     }
 }
 
-fn found(rung: &Rung, mut run: RunOut) -> Measurements {
-    let column = Column::of(rung);
+fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
+    let (column, label) = (Column::of(run.rung), &run.rung.label);
+    let work = run.reference.of(&WRONG_WORK);
+    let mut ran = run_out::run(run.simulation, work, run.observer)?;
     let [far, high] = column.published();
-    let of = |name: &str| {
-        let found = run.quantities.iter().find(|q| q.name == name);
-        found.map_or(f64::NAN, |q| q.value)
-    };
-    let beyond = of(FRONT) / column.width - 1.0;
-    let height = of(TOP) / column.width;
-    run.quantities.extend([
-        Quantity::figure(BEYOND, beyond, "1"),
+    let (width, [front, top]) = (column.width, ran.at_last());
+    ran.quantities.extend([
+        Quantity::figure(BEYOND, front / width - 1.0, "1"),
         Quantity::figure(PUBLISHED, far, "1"),
     ]);
     if !column.is_water {
-        run.quantities.extend([
-            Quantity::figure(HEIGHT, height, "1"),
+        ran.quantities.extend([
+            Quantity::figure(HEIGHT, top / width, "1"),
             Quantity::figure(PUBLISHED_HEIGHT, high, "1"),
         ]);
     }
     let fall = (column.height() / GRAVITY).sqrt();
-    let points = run.places.iter().map(|place| CurvePoint {
-        at: place.time / fall,
-        computed: place.front / column.width - 1.0,
+    let points = ran.places.iter().map(|place| {
+        let (at, ritter) = (place.time / fall, 2.0 * column.aspect * place.time / fall);
         // Ritter's front is one of all times, the experiment's of the end.
-        exact: if column.is_water {
-            2.0 * column.aspect * place.time / fall
-        } else {
-            f64::NAN
-        },
+        let exact = if column.is_water { ritter } else { f64::NAN };
+        CurvePoint::new(at, place.front / width - 1.0, exact)
     });
-    let curve = Curve::new(
-        format!("front of the column, {}", rung.label),
-        ["time over sqrt(H/g)", "distance of the front over width"],
-        points,
-    );
-    Measurements {
-        drawings: vec![run.drawing],
-        ..Measurements::of(run.quantities).drawn(curve)
-    }
+    let names = ["time over sqrt(H/g)", "distance of the front over width"];
+    let curve = Curve::new(format!("front of the column, {label}"), names, points);
+    Ok(Measurements {
+        drawings: vec![ran.drawing],
+        ..Measurements::of(ran.quantities).drawn(curve)
+    })
 }
 
 fn rungs(size: Size) -> Vec<Rung> {
-    let of = |column: &Column| {
-        let cells = column.cells[usize::from(size == Size::Full)];
-        Rung::counted(
-            column.variant,
-            &format!("{}, 1/h", column.variant),
-            WIDTH,
-            cells,
-        )
-    };
-    COLUMNS.iter().flat_map(of).collect()
+    let cells = |column: &Column| column.cells[usize::from(size == Size::Full)];
+    Rung::of_problems(&COLUMNS, |c| c.variant, "1/h", WIDTH, cells)
 }
 
-fn judge(runs: &Runs<'_>) -> Verdict {
-    let mut verdict = Verdict::default();
-    for rung in runs.rungs {
-        let label = &rung.label;
-        let column = Column::of(rung);
-        let gates = run_out::gates(runs, label, !column.is_water);
-        verdict.gates.extend(gates);
-        if runs.run(label).is_none() {
-            continue;
-        }
-        let value = |name: &str| runs.value(label, name);
-        let what = if column.is_water {
-            format!(
-                "front {:.2} of Ritter's after {FALLS_OF_WATER} sqrt(H/g)",
-                value(BEYOND) / value(PUBLISHED)
-            )
-        } else {
-            format!(
-                "run-out {:.2} widths, experiments {:.2}; height {:.2}, experiments {:.2}",
-                value(BEYOND),
-                value(PUBLISHED),
-                value(HEIGHT),
-                value(PUBLISHED_HEIGHT)
-            )
-        };
-        let line = run_out::said(runs, label, &what);
-        verdict.for_the_record.push(line);
-    }
-    verdict
+/// The run-out of a run, for the record.
+fn line(rung: &Rung, run: &RungResult) -> Option<String> {
+    let [far, far_published] = [BEYOND, PUBLISHED].map(|name| run.value(name));
+    let [high, high_published] = [HEIGHT, PUBLISHED_HEIGHT].map(|name| run.value(name));
+    let what = if Column::of(rung).is_water {
+        let share = far / far_published;
+        format!("front {share:.2} of Ritter's after {FALLS_OF_WATER} sqrt(H/g)")
+    } else {
+        format!(
+            "run-out {far:.2} widths, experiments {far_published:.2}; height {high:.2}, experiments {high_published:.2}"
+        )
+    };
+    Some(run_out::said(rung, run, &what))
 }
 
 fn scene(rung: &Rung, _: &Settings) -> Scene {
@@ -273,42 +244,26 @@ fn scene(rung: &Rung, _: &Settings) -> Scene {
     // Twice as far as experiments went.
     let long = column.width * (1.0 + 2.0 * column.published()[0]).ceil();
     let cells = |length: f64| (length / h).ceil() as usize;
-    let mut mesh = Mesh::new(
-        Dimension::Two,
-        [0.0; 3],
-        [h; 3],
-        [cells(long), cells(height) + 2, 1],
-    );
+    let mut mesh = strip(h, [cells(long), cells(height) + 2]);
     mesh.planes[1][1] = PlaneCondition::Free;
     if !column.is_water {
         mesh.planes[1][0] = PlaneCondition::Fixed;
     }
-    let mut scene = Scene::new(Dimension::Two, mesh, column.time());
-    scene.name.clone_from(&rung.label);
-    scene.results = NO_RESULTS;
+    let mut scene = plane_scene(&rung.label, mesh, column.time());
     scene.gravity = [0.0, -GRAVITY, 0.0];
     scene.materials = material(column.variant, column.density(), column.law());
-    let mut what = body("column", 1, rectangle([0.0; 2], [column.width, height]));
-    let ratio = if column.is_water {
-        1.0
-    } else {
-        POISSON / (1.0 - POISSON)
-    };
-    what.initial_stress = InitialStress::AtRest {
-        ratio,
-        level: height,
-        surcharge: 0.0,
-    };
-    scene.bodies = vec![what];
+    let in_sand = POISSON / (1.0 - POISSON);
+    scene.bodies = vec![Body {
+        initial_stress: InitialStress::AtRest {
+            ratio: if column.is_water { 1.0 } else { in_sand },
+            level: height,
+            surcharge: 0.0,
+        },
+        ..body("column", 1, rectangle([0.0; 2], [column.width, height]))
+    }];
     if column.is_water {
         scene.volumetric_strain = VolumetricStrain::CellAverage;
     }
     Settings::new(METHOD).apply(&mut scene);
     scene
-}
-
-fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
-    let work = run.reference.of(&WRONG_WORK);
-    let ran = run_out::run(run.simulation, work, run.observer)?;
-    Ok(found(run.rung, ran))
 }

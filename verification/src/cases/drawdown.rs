@@ -13,7 +13,7 @@
 //! `proctor verify drawdown`; `proctor report RECORD` draws the frames.
 
 use super::prelude::*;
-use super::vocabulary::run_out::{self, BACK, FRONT, GAINED, LOST, MOVING, TOP};
+use super::vocabulary::run_out::{self, FRONT, GAINED, LOST, MOVING, TOP};
 use proctor_scene::StandingWater;
 
 const HEIGHT_OF_DAM: f64 = 5.0; // Height [m]
@@ -64,7 +64,34 @@ pub static DRAWDOWN: Case = Case::new(
     })
 })
 .run(compare)
-.judge_by(judge)
+.gates_of_rungs(&[
+    run_out::LOSES_NOTHING,
+    value(BEYOND)
+        .at_most(
+            0.02,
+            "it stands: the elastic way is a thousandth of the height, and a slope that fails goes farther",
+        )
+        .of(FULL),
+    value(BEYOND)
+        .at_least(
+            0.2,
+            "it fails: 0.68 of the strength that a long slope needs lets it sink to two thirds of its angle, which moves \
+             its foot by half of its height",
+        )
+        .on(fails),
+    value(GAINED)
+        .at_most(
+            1e-2,
+            "only the fall and the reservoir give energy; cells that are crossed ring by a share of it",
+        )
+        .on(fails),
+    run_out::GIVES_NOTHING_BACK.on(fails),
+    value(RETURNED).at_most(0.0, "drag takes energy").on(fails),
+    value(MOVING)
+        .at_most(1e-2, "what has friction comes to rest; elastic ringing of FLIP remains")
+        .on(fails),
+])
+.line_of_each(line)
 .wrong_references(&[WRONG_WORK])
 .no_study("nothing exact is known of where it comes to rest")
 .no_guest("no other solver of the protocol knows pore water");
@@ -138,22 +165,17 @@ fn scene(rung: &Rung, _: &Settings) -> Scene {
 }
 
 fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
-    let (rung, reference) = (run.rung, run.reference);
-    let (simulation, observer) = (run.simulation, run.observer);
+    let (rung, simulation) = (run.rung, run.simulation);
     let water = simulation.water_mass();
-    let ran = run_out::run(simulation, reference.of(&WRONG_WORK), observer)?;
+    let work = run.reference.of(&WRONG_WORK);
+    let ran = run_out::run(simulation, work, run.observer)?;
     let foot = ran.places.first().map_or(f64::NAN, |place| place.front);
-    let points = ran
-        .places
-        .iter()
-        .map(|place| CurvePoint::new(place.time, place.front - foot, f64::NAN));
-    let curve = Curve::new(
-        format!("foot of the dam, {}", rung.label),
-        ["time (s)", "way of the foot (m)"],
-        points,
-    );
+    let points = ran.places.iter();
+    let points = points.map(|place| CurvePoint::new(place.time, place.front - foot, f64::NAN));
+    let title = format!("foot of the dam, {}", rung.label);
+    let curve = Curve::new(title, ["time (s)", "way of the foot (m)"], points);
     let energy = simulation.energy();
-    let front = ran.places.last().map_or(f64::NAN, |place| place.front);
+    let [front, _] = ran.at_last();
     let mut quantities = ran.quantities;
     if rung.variant == FULL {
         // What stands does not fall, and nothing is to be had as a share of that.
@@ -177,57 +199,21 @@ fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
     })
 }
 
-fn judge(runs: &Runs<'_>) -> Verdict {
-    let mut verdict = Verdict::default();
-    for rung in runs.rungs {
-        let label = &rung.label;
-        let value = |name: &str| runs.value(label, name);
-        let at_most = |name: &str, bound: f64, reason: &'static str| {
-            Gate::at_most(format!("{label}: {name}"), value(name), bound, reason)
-        };
-        verdict.gates.push(at_most(LOST, 0.0, "no particle leaves"));
-        if rung.variant == FULL {
-            verdict.gates.push(at_most(
-                BEYOND,
-                0.02,
-                "it stands: the elastic way is a thousandth of the height, and a slope that fails goes farther",
-            ));
-        } else {
-            let reach = "it fails: 0.68 of the strength that a long slope needs lets it sink to two thirds of its angle, which moves \
-                         its foot by half of its height";
-            verdict.gates.extend([
-                Gate::at_least(format!("{label}: {BEYOND}"), value(BEYOND), 0.2, reach),
-                at_most(
-                    GAINED,
-                    1e-2,
-                    "only the fall and the reservoir give energy; cells that are crossed ring by a share of it",
-                ),
-                at_most(
-                    BACK,
-                    1e-12,
-                    "flow dissipates; round-off of a sum over particles",
-                ),
-                at_most(RETURNED, 0.0, "drag takes energy"),
-                at_most(
-                    MOVING,
-                    1e-2,
-                    "what has friction comes to rest; elastic ringing of FLIP remains",
-                ),
-            ]);
-        }
-        if runs.run(label).is_some() {
-            let what = format!(
-                "foot {:.3} heights from where it was, highest point {:.2} m, {:.2} % of the water left the pores",
-                value(BEYOND),
-                value(TOP),
-                100.0 * value(SQUEEZED)
-            );
-            verdict.for_the_record.push(if rung.variant == FULL {
-                format!("{label}: {what}")
-            } else {
-                run_out::said(runs, label, &what)
-            });
-        }
-    }
-    verdict
+/// How far the foot goes, for the record.
+fn line(rung: &Rung, run: &RungResult) -> Option<String> {
+    let what = format!(
+        "foot {:.3} heights from where it was, highest point {:.2} m, {:.2} % of the water left the pores",
+        run.value(BEYOND),
+        run.value(TOP),
+        100.0 * run.value(SQUEEZED)
+    );
+    Some(if fails(rung) {
+        run_out::said(rung, run, &what)
+    } else {
+        format!("{}: {what}", rung.label)
+    })
+}
+
+fn fails(rung: &Rung) -> bool {
+    rung.variant != FULL
 }

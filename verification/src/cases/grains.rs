@@ -55,7 +55,7 @@ const WRONG_DAMPING: Wrong = Wrong::factor("damping", 1.5).breaks_only(|gate| {
 
 /// The compacted grains.
 pub static GRAINS: Case = Case::new("grains", "Do soft grains that a plate compacts push back as a packing does?")
-    .ladder(Ladder::made(rungs))
+    .ladder(Ladder::sizes(&[("four", &[0.3125])], &[("sixteen", &[0.2])]))
     .scene(scene)
     .run(compare)
     .gates_of_rungs(&[
@@ -74,7 +74,7 @@ pub static GRAINS: Case = Case::new("grains", "Do soft grains that a plate compa
         "contact adds no energy; work and velocities are half a step of some thousand apart",
     ),
 ])
-.judge_by(lines)
+.line_of_each(line)
     .wrong_references(&[WRONG_DAMPING])
     .no_study("nothing exact is known of a pile of grains but balances, which hold to round-off whatever the settings")
     .no_guest(NO_GUEST);
@@ -84,49 +84,32 @@ fn side(rung: &Rung) -> usize {
     if rung.variant == "four" { 2 } else { 4 }
 }
 
-/// A rigid line through points, with vertices no more than `segment` \[m\] apart.
-fn line(id: i64, name: &str, ends: [[f64; 2]; 2], motion: Option<History>) -> RigidLine {
+/// A rigid line between two points, with vertices no more than a quarter of a metre apart.
+fn straight(id: i64, name: &str, ends: [[f64; 2]; 2], motion: Option<History>) -> RigidLine {
     let [a, b] = ends.map(Point::from);
     let count = ((b - a).norm() / 0.25).ceil() as usize;
+    let at = |k: usize| a + (b - a) * (k as f64 / count as f64);
     let chain = Chain {
-        points: (0..=count)
-            .map(|k| a + (b - a) * (k as f64 / count as f64))
-            .collect(),
+        points: (0..=count).map(at).collect(),
         side: BoundarySide::Open,
     };
     rigid_line(name, id, chain, motion)
 }
 
-fn rungs(size: Size) -> Vec<Rung> {
-    let (variant, cell) = match size {
-        Size::Quick => ("four", 0.3125),
-        Size::Full => ("sixteen", 0.2),
-    };
-    vec![Rung::labelled(format!("{variant} h={cell}"), variant, cell)]
-}
-
 /// Quantities without an exact value.
-fn lines(runs: &Runs<'_>) -> Verdict {
-    Verdict {
-        for_the_record: runs.solved
-            .iter()
-            .map(|(rung, s)| {
-                format!(
-                    "{}: largest force on the plate {:.4e} N, sideways {:.1} % of it; the floor is loaded after {:.2} m and \
-                     takes {:.1} % of the plate's force at the end, the damping the rest; slopes of the plate's force \
-                     {:.2} : 1; distances down to {:.3} of the critical gap",
-                    rung.label,
-                    s.value(LARGEST),
-                    100.0 * s.value(SIDEWAYS),
-                    s.value(LOADED),
-                    100.0 * s.value(FLOOR_SHARE),
-                    s.value(PHASES),
-                    s.value(SMALLEST),
-                )
-            })
-            .collect(),
-        ..Verdict::default()
-    }
+fn line(rung: &Rung, run: &RungResult) -> Option<String> {
+    Some(format!(
+        "{}: largest force on the plate {:.4e} N, sideways {:.1} % of it; the floor is loaded after {:.2} m and takes {:.1} % of \
+         the plate's force at the end, the damping the rest; slopes of the plate's force {:.2} : 1; distances down to {:.3} of \
+         the critical gap",
+        rung.label,
+        run.value(LARGEST),
+        100.0 * run.value(SIDEWAYS),
+        run.value(LOADED),
+        100.0 * run.value(FLOOR_SHARE),
+        run.value(PHASES),
+        run.value(SMALLEST),
+    ))
 }
 
 fn scene(rung: &Rung, _: &Settings) -> Scene {
@@ -143,30 +126,20 @@ fn scene(rung: &Rung, _: &Settings) -> Scene {
         [cells(width), cells(height), 1],
     );
     mesh.planes[..2].fill([PlaneCondition::Free; 2]);
-    let mut scene = Scene::new(Dimension::Two, mesh, WAY * height / SPEED);
-    scene.name.clone_from(&rung.label);
-    scene.results = NO_RESULTS;
+    let mut scene = plane_scene(&rung.label, mesh, WAY * height / SPEED);
     scene.weighting = PAPER.weighting;
     scene.scheme = PAPER.scheme;
     scene.transfer.kind = PAPER.transfer;
     scene.transfer.pic_fraction = 0.1;
     scene.damping = Damping::Viscous { alpha: DAMPING };
     scene.materials = elastic(DENSITY, YOUNG, POISSON);
-    let down = History {
-        times: vec![0.0],
-        values: vec![[0.0, -SPEED, 0.0]],
-    };
-    let top = height + 1.0;
+    let down = Some([0.0, -SPEED, 0.0].into());
+    let (right, top) = (width + 1.0, height + 1.0);
     scene.mortar.lines = vec![
-        line(
-            PLATE,
-            "plate",
-            [[-1.0, height], [width + 1.0, height]],
-            Some(down),
-        ),
-        line(FLOOR, "floor", [[width + 1.0, 0.0], [-1.0, 0.0]], None),
-        line(WALLS[0], "left wall", [[0.0, -1.0], [0.0, top]], None),
-        line(WALLS[1], "right wall", [[width, top], [width, -1.0]], None),
+        straight(PLATE, "plate", [[-1.0, height], [right, height]], down),
+        straight(FLOOR, "floor", [[right, 0.0], [-1.0, 0.0]], None),
+        straight(WALLS[0], "left wall", [[0.0, -1.0], [0.0, top]], None),
+        straight(WALLS[1], "right wall", [[width, top], [width, -1.0]], None),
     ];
     for (k, outline) in outlines(side).into_iter().enumerate() {
         let id = k as i64 + 1;
@@ -198,19 +171,19 @@ fn scene(rung: &Rung, _: &Settings) -> Scene {
 }
 
 fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
-    let (rung, reference) = (run.rung, run.reference);
     let (simulation, observer) = (run.simulation, run.observer);
-    let rate = reference.of(&WRONG_DAMPING) * DAMPING * (YOUNG / DENSITY).sqrt() / rung.cell;
+    let damping = run.reference.of(&WRONG_DAMPING) * DAMPING;
+    let rate = damping * (YOUNG / DENSITY).sqrt() / run.rung.cell;
     let watch = Watch::run(simulation, rate, &mut |share| observer.progress(share))?;
-    let quantities = watch.quantities(simulation);
     let force = watch.samples.iter();
     let curve = Curve::new(
-        format!("{}: force on the plate", rung.label),
+        format!("{}: force on the plate", run.rung.label),
         ["way of the plate in m", "F_y in N"],
         force.map(|s| CurvePoint::new(s.way, -s.plate[1], f64::NAN)),
     );
     Ok(Measurements {
+        quantities: watch.quantities(simulation),
         drawings: watch.drawings,
-        ..Measurements::of(quantities).drawn(curve)
+        curve: Some(curve),
     })
 }

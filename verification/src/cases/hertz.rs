@@ -91,7 +91,7 @@ pub static HERTZ: Case = Case::new(
     "{variant}",
     &[FORCE, PEAK, WIDTH, L2_HERTZ, L2_LAYER, STRESS],
 )])
-.judge_by(lines)
+.line_of_each(line)
 .wrong_references(&[WRONG_LOAD])
 .studies(&[Plan::new(
     Ladder::sizes(
@@ -143,12 +143,9 @@ fn boundary(h: f64) -> Chain {
     let side = |k: i32| FINE + rest * f64::from(k) / f64::from(coarse);
     let left = (1..=coarse).rev().map(|k| -side(k));
     let right = (1..=coarse).map(side);
+    let around = left.chain(fine).chain(right);
     Chain {
-        points: left
-            .chain(fine)
-            .chain(right)
-            .map(|s| Point::from(on_circle(s)))
-            .collect(),
+        points: around.map(|s| Point::from(on_circle(s))).collect(),
         side: BoundarySide::Outer,
     }
 }
@@ -165,23 +162,17 @@ fn shape() -> Shape {
 }
 
 /// The distance of the layer from Hertz, for the record.
-fn lines(runs: &Runs<'_>) -> Verdict {
-    let line = |(rung, s): &(Rung, RungResult)| {
-        format!(
-            "{}: the barrier layer itself is {:.1} % from Hertz; computed {:.1} % from the layer, {:.1} % from Hertz",
-            rung.label,
-            100.0 * s.value(LAYER),
-            100.0 * s.value(L2_LAYER),
-            100.0 * s.value(L2_HERTZ),
-        )
-    };
-    Verdict {
-        for_the_record: runs.solved.iter().map(line).collect(),
-        ..Verdict::default()
-    }
+fn line(rung: &Rung, run: &RungResult) -> Option<String> {
+    let [layer, from_layer, from_hertz] =
+        [LAYER, L2_LAYER, L2_HERTZ].map(|name| 100.0 * run.value(name));
+    Some(format!(
+        "{}: the barrier layer itself is {layer:.1} % from Hertz; computed {from_layer:.1} % from the layer, {from_hertz:.1} % from \
+         Hertz",
+        rung.label
+    ))
 }
 
-pub(super) fn method(_rung: &Rung) -> Settings {
+pub(super) fn method(_: &Rung) -> Settings {
     Settings::new(Method::DEFAULT.with_transfer(TransferKind::Apic))
 }
 
@@ -250,12 +241,11 @@ fn compare_disk(mut run: Run<'_>) -> Result<Measurements, Failure> {
 
 /// The comparison of the contact, of a slab too.
 pub(super) fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
-    let (rung, reference) = (run.rung, run.reference);
-    let (simulation, observer) = (run.simulation, run.observer);
+    let (rung, simulation) = (run.rung, run.simulation);
     // A slab is as thick as its one layer of cells, the plane 1 m.
     let thickness = simulation.scene().mesh.cell[2];
-    let found = Pressures::averaged(simulation, AVERAGED[0], FINE, |x| x[0], observer)?;
-    let exact = exact(reference);
+    let found = Pressures::averaged(simulation, AVERAGED[0], FINE, |x| x[0], run.observer)?;
+    let exact = exact(run.reference);
     let kappa = kappa(rung.variant);
     let layer = LayerContact::solve(&exact, &|g| barrier(kappa, GAP, g), 160, FINE, 0.5 * GAP)
         .map_err(|e| format!("no reference: residual {} m", e.residual))?;
@@ -270,11 +260,6 @@ pub(super) fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
         Quantity::of_zero(L2_LAYER, found.distance(|x| layer.pressure_at(x))),
         Quantity::of_zero(LAYER, layer.distance_from_hertz(&exact)),
     ];
-    let points = found.vertices.iter().filter(|p| p[0].abs() < 1.0);
-    let curve = Curve::new(
-        format!("{}: contact pressure", rung.label),
-        ["x in m", "p in Pa"],
-        points.map(|p| CurvePoint::new(p[0], p[1], exact.pressure(p[0]))),
-    );
+    let curve = found.curve(rung, "x in m", 1.0, |x| exact.pressure(x));
     Ok(Measurements::of(quantities).drawn(curve))
 }

@@ -122,23 +122,17 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
     let mut mesh = open_quarter(h, [cells(BLOCK, h) + 2, (height / h).ceil() as usize + 4]);
     mesh.origin[1] = -3.0 * h;
     mesh.planes[1][0] = PlaneCondition::Free;
-    let held = History {
-        times: vec![0.0],
-        values: vec![[0.0; 3]],
-    };
     let plate = Body {
-        motion: Some(held),
+        motion: Some([0.0; 3].into()),
         ..body("plate", 1, rectangle([0.0, -2.0 * h], [PLATE, 0.0]))
     };
+    let ball = rings(h, settings.particles_per_cell);
     settings.applied(Scene {
         time_step: settings.multiplier(),
         damping: Damping::Local { alpha: DAMPING },
         gravity: [0.0, -load() / (DENSITY * VOLUME), 0.0],
         materials: elastic(DENSITY, YOUNG, POISSON),
-        bodies: vec![
-            plate,
-            body("ball", 2, rings(h, settings.particles_per_cell)),
-        ],
+        bodies: vec![plate, body("ball", 2, ball)],
         contacts: vec![Contact {
             name: "ball on plate".to_owned(),
             id: 1,
@@ -216,15 +210,13 @@ fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
     let (force, area) = inner.fold((0.0, 0.0), |(f, a), (_, p, area)| (f + p * area, a + area));
     let within = (area / PI).sqrt();
     let peak = force / area * exact.peak() / exact.mean_within(within);
+    let beside = |r: f64| mean(&exact, r, h);
     let samples = columns.iter();
-    let distance = relative_l2(samples.map(|(r, p, area)| (*area, [*p], [mean(&exact, *r, h)])));
+    let distance = relative_l2(samples.map(|&(r, p, area)| (area, [p], [beside(r)])));
     let points = columns.iter();
-    let points = points.map(|(r, p, _)| CurvePoint::new(*r, *p, mean(&exact, *r, h)));
-    let curve = Curve::new(
-        format!("{}: contact pressure", rung.label),
-        ["r in m", "p in Pa"],
-        points,
-    );
+    let points = points.map(|&(r, p, _)| CurvePoint::new(r, p, beside(r)));
+    let title = format!("{}: contact pressure", rung.label);
+    let curve = Curve::new(title, ["r in m", "p in Pa"], points);
     Ok(Measurements::of([
         Quantity::compared(FORCE, window.force / window.steps, exact.load, "N"),
         Quantity::compared(PEAK, peak, exact.peak(), "Pa"),

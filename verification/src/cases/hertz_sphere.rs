@@ -49,8 +49,13 @@ pub static HERTZ_SPHERE: Case = Case::new(
     "hertz-sphere",
     "Is the pressure between an elastic ball and a rigid plane that of Hertz?",
 )
-.ladder(Ladder::made(rungs))
-.method(method)
+.ladder(Ladder::made(|size| {
+    of_cells(match size {
+        Size::Quick => &[0.5],
+        Size::Full => &[0.5, 0.375, 0.25],
+    })
+}))
+.method(|_| Settings::new(APIC))
 .tried_scene(|rung, settings| Ok(build(rung, settings)?))
 .run(compare)
 .gates(&[
@@ -61,7 +66,12 @@ pub static HERTZ_SPHERE: Case = Case::new(
 .tables(&[TableRule::new("{variant}", &[FORCE, PEAK, WIDTH, L2])])
 .wrong_references(&[WRONG_LOAD])
 .studies(&[Plan::new(
-    Ladder::made(path),
+    Ladder::made(|size| {
+        of_cells(match size {
+            Size::Quick => &[1.2, 0.6],
+            Size::Full => &[1.5, 0.75, 0.375],
+        })
+    }),
     &[
         Measure::new("pressure", L2),
         Measure::new("peak", PEAK),
@@ -69,7 +79,13 @@ pub static HERTZ_SPHERE: Case = Case::new(
     ],
     3,
 )
-.going_on(Ladder::made(finer))
+// Down to an error of 1 % in peak and radius.
+.going_on(Ladder::made(|size| {
+    of_cells(match size {
+        Size::Quick => &[],
+        Size::Full => &[0.25],
+    })
+}))
 .trying(few)])
 .no_guest("only the pressure of the contact is known exactly, and frames of particles hold none");
 
@@ -82,18 +98,20 @@ fn exact(reference: Reference) -> Exact {
 
 fn build(rung: &Rung, settings: &Settings) -> Result<Scene, SurfaceError> {
     let h = rung.cell;
-    let margin = 2.0 * h;
+    let (margin, top) = (2.0 * h, GAP + BLOCK);
     let cells = |length: f64| (length / h).ceil() as usize;
-    let top = GAP + BLOCK;
+    let (wide, high) = (cells(BLOCK + margin), cells(top + 2.0 * margin));
+    let origin = [0.0, 0.0, -margin];
+    let mut mesh = Mesh::new(Dimension::Three, origin, [h; 3], [wide, wide, high]);
+    let symmetry = [PlaneCondition::Sliding, PlaneCondition::Free];
+    mesh.planes = [symmetry, symmetry, [PlaneCondition::Free; 2]];
+    let ball = Shape::Particles(Arc::new(particles(h, settings.particles_per_cell)));
+    let around = Vertices::Surface(Arc::new(boundary(h)?));
     let mut scene = Scene {
         name: rung.label.clone(),
         time_step: settings.multiplier(),
         materials: elastic(DENSITY, YOUNG, POISSON),
-        bodies: vec![body(
-            "ball",
-            1,
-            Shape::Particles(Arc::new(particles(h, settings.particles_per_cell))),
-        )],
+        bodies: vec![body("ball", 1, ball)],
         damping: Damping::Viscous {
             alpha: DAMPING * h / (YOUNG / DENSITY).sqrt(),
         },
@@ -103,10 +121,7 @@ fn build(rung: &Rung, settings: &Settings) -> Result<Scene, SurfaceError> {
             force: [0.0, 0.0, -0.25 * load()],
         }],
         mortar: Mortar {
-            boundaries: vec![mortar::boundary(
-                1,
-                Vertices::Surface(Arc::new(boundary(h)?)),
-            )],
+            boundaries: vec![mortar::boundary(1, around)],
             facets: vec![RigidFacets {
                 name: "plane".into(),
                 id: 2,
@@ -116,25 +131,7 @@ fn build(rung: &Rung, settings: &Settings) -> Result<Scene, SurfaceError> {
             contacts: vec![barrier("ball on plane", [2, 1], GAP, KAPPA)],
             ..Mortar::default()
         },
-        ..Scene::new(
-            Dimension::Three,
-            Mesh {
-                axisymmetric: false,
-                origin: [0.0, 0.0, -margin],
-                cell: [h; 3],
-                cells: [
-                    cells(BLOCK + margin),
-                    cells(BLOCK + margin),
-                    cells(top + 2.0 * margin),
-                ],
-                planes: [
-                    [PlaneCondition::Sliding, PlaneCondition::Free],
-                    [PlaneCondition::Sliding, PlaneCondition::Free],
-                    [PlaneCondition::Free; 2],
-                ],
-            },
-            AVERAGED[1],
-        )
+        ..Scene::new(Dimension::Three, mesh, AVERAGED[1])
     };
     settings.apply(&mut scene);
     scene.transfer.pic_fraction = PIC;
@@ -261,17 +258,10 @@ fn plane() -> Result<Surface, SurfaceError> {
     Surface::new(&[[a, b, c], [a, c, d]])
 }
 
+/// Cell sizes \[m\].
 fn of_cells(cells: &[f64]) -> Vec<Rung> {
     let of = |&cell: &f64| Rung::labelled(format!("h={cell}"), "sphere", cell);
     cells.iter().map(of).collect()
-}
-
-fn rungs(size: Size) -> Vec<Rung> {
-    let cells: &[f64] = match size {
-        Size::Quick => &[0.5],
-        Size::Full => &[0.5, 0.375, 0.25],
-    };
-    of_cells(cells)
 }
 
 /// Peak pressure with the mean over the middle, as Hertz has it.
@@ -282,51 +272,20 @@ fn peak(found: &Pressures, exact: &Exact) -> f64 {
     force / area * exact.peak() / exact.mean_within(within)
 }
 
-fn method(_rung: &Rung) -> Settings {
-    Settings::new(Method::DEFAULT.with_transfer(TransferKind::Apic))
-}
-
 fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
-    let (rung, reference) = (run.rung, run.reference);
-    let (simulation, observer) = (run.simulation, run.observer);
-    let from_axis = |x: &Vector| libm::hypot(x[0], x[1]);
-    let found = Pressures::averaged(simulation, AVERAGED[0], FINE, from_axis, observer)?;
-    let exact = exact(reference);
-    let distance = found.distance(|r| exact.pressure(r));
+    let from_axis = |x: &Vector| hypot(x[0], x[1]);
+    let [from, _] = AVERAGED;
+    let found = Pressures::averaged(run.simulation, from, FINE, from_axis, run.observer)?;
+    let exact = exact(run.reference);
     // Of the Hertz pressure with the same second moment, sqrt(5/2 m_2/m_0).
     let radius = (2.5 * found.moment(2) / found.moment(0)).sqrt();
-    let quantities = vec![
+    let quantities = [
         Quantity::compared(FORCE, 4.0 * found.force[2], exact.load, "N"),
         Quantity::compared(PEAK, peak(&found, &exact), exact.peak(), "Pa"),
         Quantity::compared(WIDTH, radius, exact.contact_radius(), "m"),
-        Quantity::of_zero(L2, distance),
+        Quantity::of_zero(L2, found.distance(|r| exact.pressure(r))),
     ];
-    let mut points: Vec<CurvePoint> = found
-        .vertices
-        .iter()
-        .filter(|p| p[0] < FINE)
-        .map(|p| CurvePoint::new(p[0], p[1], exact.pressure(p[0])))
-        .collect();
-    points.sort_by(|a, b| a.at.total_cmp(&b.at));
-    let curve = Curve::new(
-        format!("{}: contact pressure", rung.label),
-        ["r in m", "p in Pa"],
-        points,
-    );
+    let mut curve = found.curve(run.rung, "r in m", FINE, |r| exact.pressure(r));
+    curve.points.sort_by(|a, b| a.at.total_cmp(&b.at));
     Ok(Measurements::of(quantities).drawn(curve))
-}
-
-fn path(size: Size) -> Vec<Rung> {
-    of_cells(match size {
-        Size::Quick => &[1.2, 0.6],
-        Size::Full => &[1.5, 0.75, 0.375],
-    })
-}
-
-/// Rungs beyond the path, down to an error of 1 % in peak and radius.
-fn finer(size: Size) -> Vec<Rung> {
-    of_cells(match size {
-        Size::Quick => &[],
-        Size::Full => &[0.25],
-    })
 }

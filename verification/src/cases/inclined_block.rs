@@ -24,7 +24,7 @@ mod judge;
 
 use super::prelude::*;
 use super::vocabulary::incline::{
-    ACCELERATION, Block, COURANT, CREEP, DENSITY, GRAVITY, Incline, POISSON, Track, WAY, YOUNG,
+    ACCELERATION, Block, COURANT, CREEP, DENSITY, GRAVITY, Incline, POISSON, WAY, YOUNG,
     acceleration, follow, shear_wave_speed, sliding_curve, stuck,
 };
 use crate::exact::elastic_block::{ElasticBlock, Release, Slid};
@@ -56,9 +56,11 @@ pub static INCLINED_BLOCK: Case = Case::new(
     "Does a block slide down an incline as Coulomb's law says, and stick where it should?",
 )
 .ladder(Ladder::made(rungs))
-.method(method)
+.method(|rung| {
+    Settings::new(Method::DEFAULT.with_scheme(rung.problem::<Problem>().scheme)).courant(COURANT)
+})
 .scene_by(scene)
-.options(options)
+.options(|rung, reference, options| incline(reference, rung).options(options))
 .run(compare)
 .judge_by(judge::verdict)
 .wrong_references(&[WRONG_PULL])
@@ -99,50 +101,32 @@ struct Problem {
 }
 
 /// Variants of sliding and of sticking, by dimension and scheme.
-const VARIANTS: [(Dimension, StressScheme, [&str; 2]); 6] = [
-    (
-        Dimension::Two,
-        StressScheme::Usl,
-        ["2D USL", "stick 2D USL"],
-    ),
-    (
-        Dimension::Two,
-        StressScheme::Usf,
-        ["2D USF", "stick 2D USF"],
-    ),
-    (
-        Dimension::Two,
-        StressScheme::Musl,
-        ["2D MUSL", "stick 2D MUSL"],
-    ),
-    (
-        Dimension::Three,
-        StressScheme::Usl,
-        ["3D USL", "stick 3D USL"],
-    ),
-    (
-        Dimension::Three,
-        StressScheme::Usf,
-        ["3D USF", "stick 3D USF"],
-    ),
-    (
-        Dimension::Three,
-        StressScheme::Musl,
-        ["3D MUSL", "stick 3D MUSL"],
-    ),
-];
+const VARIANTS: [(Dimension, StressScheme, [&str; 2]); 6] = {
+    use Dimension::{Three, Two};
+    use StressScheme::{Musl, Usf, Usl};
+    [
+        (Two, Usl, ["2D USL", "stick 2D USL"]),
+        (Two, Usf, ["2D USF", "stick 2D USF"]),
+        (Two, Musl, ["2D MUSL", "stick 2D MUSL"]),
+        (Three, Usl, ["3D USL", "stick 3D USL"]),
+        (Three, Usf, ["3D USF", "stick 3D USF"]),
+        (Three, Musl, ["3D MUSL", "stick 3D MUSL"]),
+    ]
+};
 const PRINTED: &str = "printed"; // The variant of the manual's own scene
 
 /// All rungs of a size with their problems.
 fn rungs(size: Size) -> Vec<Rung> {
     let mut all = vec![];
-    let cells: &[(Dimension, f64)] = match size {
-        Size::Quick => &[(Dimension::Two, 1.0)],
-        Size::Full => &[
-            (Dimension::Two, 1.0),
-            (Dimension::Two, 0.5),
-            (Dimension::Three, 1.0),
-        ],
+    let whole = [
+        (Dimension::Two, 1.0),
+        (Dimension::Two, 0.5),
+        (Dimension::Three, 1.0),
+    ];
+    let cells = if size == Size::Quick {
+        &whole[..1]
+    } else {
+        &whole
     };
     for &(dimension, cell) in cells {
         for (_, scheme, [slides, sticks]) in VARIANTS.into_iter().filter(|v| v.0 == dimension) {
@@ -181,11 +165,8 @@ fn rungs(size: Size) -> Vec<Rung> {
 }
 
 fn rung(variant: &'static str, cell: f64, friction: f64, how: &str) -> Rung {
-    Rung::labelled(
-        format!("{variant} h={cell} mu={friction}{how}"),
-        variant,
-        cell,
-    )
+    let label = format!("{variant} h={cell} mu={friction}{how}");
+    Rung::labelled(label, variant, cell)
 }
 
 /// The path of the study with its problem.
@@ -207,11 +188,8 @@ fn path(size: Size) -> Vec<Rung> {
 fn incline(reference: Reference, rung: &Rung) -> Incline {
     let problem = *rung.problem::<Problem>();
     let h = rung.cell;
-    let sign = if problem.kind == Kind::StickMirrored {
-        -1.0
-    } else {
-        1.0
-    };
+    let mirrored = problem.kind == Kind::StickMirrored;
+    let sign = if mirrored { -1.0 } else { 1.0 };
     let settled = Incline {
         dimension: problem.dimension,
         cell: h,
@@ -252,25 +230,6 @@ fn exact(problem: &Problem) -> Slope {
     }
 }
 
-/// `moved` is the displacement since the block was laid down \[m\].
-fn quantities(track: &Track, moved: f64, problem: &Problem, height: f64) -> Vec<Quantity> {
-    let exact = exact(problem);
-    if exact.sticks() {
-        return stuck(track, moved, &exact, TIME).into();
-    }
-    let end = track.way.last().map_or(f64::NAN, |w| w[0]);
-    vec![
-        Quantity::compared(WAY, track.end(), exact.displacement(end), "m"),
-        Quantity::compared(
-            ELASTIC,
-            track.end(),
-            exact.elastic_displacement(end, height, shear_wave_speed()),
-            "m",
-        ),
-        acceleration(track, &exact),
-    ]
-}
-
 /// Creep of a flat block in finite elements of the same size.
 fn by_elements(rung: &Rung, problem: &Problem) -> Option<Slid> {
     let (Kind::Walk(damping), Dimension::Two) = (problem.kind, problem.dimension) else {
@@ -284,18 +243,13 @@ fn by_elements(rung: &Rung, problem: &Problem) -> Option<Slid> {
         poisson: POISSON,
         density: DENSITY,
     };
-    let slid = block.slide(&Release {
+    Some(block.slide(&Release {
         gravity: [GRAVITY; 2],
         friction: problem.friction,
         damping: damping.unwrap_or(0.0),
         tilting: 0.0,
         time: TIME,
-    });
-    Some(slid)
-}
-
-fn method(rung: &Rung) -> Settings {
-    Settings::new(Method::DEFAULT.with_scheme(rung.problem::<Problem>().scheme)).courant(COURANT)
+    }))
 }
 
 fn scene(rung: &Rung, settings: &Settings, reference: Reference) -> Scene {
@@ -313,20 +267,25 @@ fn scene(rung: &Rung, settings: &Settings, reference: Reference) -> Scene {
     scene
 }
 
-fn options(rung: &Rung, reference: Reference, options: Options) -> Options {
-    incline(reference, rung).options(options)
-}
-
 fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
-    let (rung, reference) = (run.rung, run.reference);
-    let (simulation, observer) = (run.simulation, run.observer);
-    let incline = incline(reference, rung);
+    let (rung, simulation, observer) = (run.rung, run.simulation, run.observer);
+    let incline = incline(run.reference, rung);
     incline.release(simulation, observer)?;
     let tracks = follow(&incline, simulation, observer)?;
-    let problem = *rung.problem::<Problem>();
-    let moved = simulation.center(1).position[0] - 0.5 * (ALONG[0] + ALONG[1]);
-    let quantities = quantities(&tracks[0], moved, &problem, incline.height);
-    let curve = sliding_curve(&tracks[0], &exact(&problem), &rung.label);
+    let (track, exact) = (&tracks[0], exact(rung.problem()));
+    let curve = sliding_curve(track, &exact, &rung.label);
+    if exact.sticks() {
+        // Since the block was laid down.
+        let moved = simulation.center(1).position[0] - 0.5 * (ALONG[0] + ALONG[1]);
+        return Ok(Measurements::of(stuck(track, moved, &exact, TIME)).drawn(curve));
+    }
+    let (end, way) = (track.way.last().map_or(f64::NAN, |w| w[0]), track.end());
+    let elastic = exact.elastic_displacement(end, incline.height, shear_wave_speed());
+    let quantities = [
+        Quantity::compared(WAY, way, exact.displacement(end), "m"),
+        Quantity::compared(ELASTIC, way, elastic, "m"),
+        acceleration(track, &exact),
+    ];
     Ok(Measurements::of(quantities).drawn(curve))
 }
 
@@ -335,9 +294,9 @@ fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
 fn guest(rung: &Rung) -> Result<Guest, &'static str> {
     let problem = *rung.problem::<Problem>();
     if (problem.kind, problem.dimension) != (Kind::Settled, Dimension::Two) {
-        return Err(
-            "blocks that stick are judged by their creep, after a time in which gravity turns",
-        );
+        let why =
+            "blocks that stick are judged by their creep, after a time in which gravity turns";
+        return Err(why);
     }
     let incline = Incline {
         held: false,

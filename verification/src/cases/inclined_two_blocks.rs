@@ -57,9 +57,9 @@ const WRONG_PULL: Wrong =
 /// Two blocks on an incline.
 pub static INCLINED_TWO_BLOCKS: Case = Case::new("inclined-two-blocks", "Do two blocks on one incline slide each with its own friction, and lift off when gravity is reversed?")
     .ladder(Ladder::made(rungs))
-    .method(method)
+    .method(|rung| Settings::new(Method::DEFAULT.with_scheme(variant(rung).1)).courant(COURANT))
     .scene_by(scene)
-    .options(options)
+    .options(|rung, reference, options| incline(reference, rung).options(options))
     .run(compare)
     .gates_of_rungs(&[
     error(PULL).at_most(PULL_GATE, "contact never pulls; round-off is left"),
@@ -72,7 +72,7 @@ pub static INCLINED_TWO_BLOCKS: Case = Case::new("inclined-two-blocks", "Do two 
     error(ACCELERATIONS[1]).at_most(SLIDING_GATE, PROMISED).on(slides),
 ])
     .wrong_references(&[WRONG_PULL])
-    .studies(&[Plan::new(Ladder::made(path), &[
+    .studies(&[Plan::new(Ladder::sizes(&[("2D USL", &[1.0, 0.5])], &[("2D USL", &[1.0, 0.5, 0.25])]), &[
         Measure::new("displacement", ELASTIC),
         Measure::new("acceleration", ACCELERATIONS[0]),
     ], 2).trying(few)])
@@ -91,18 +91,8 @@ fn released(rung: &Rung) -> Result<Guest, &'static str> {
     let material = &scene.materials[0];
     let step = guest::COURANT * rung.cell / material.law.wave_speed(material.density);
     let scene = guest::prepared(guest::slab(scene), 1, step);
-    let slope = Slope {
-        along: GRAVITY,
-        into: GRAVITY,
-        friction: BLOCKS[0].friction,
-    };
-    let slid = move |_: &Vector, t| {
-        [
-            slope.elastic_displacement(t, HEIGHT, shear_wave_speed()),
-            0.0,
-            0.0,
-        ]
-    };
+    let (slope, speed) = (exact(&BLOCKS[0]), shear_wave_speed());
+    let slid = move |_: &Vector, t| [slope.elastic_displacement(t, HEIGHT, speed), 0.0, 0.0];
     let (base, [from, to]) = (incline.base, BLOCKS[0].along);
     Ok(Guest {
         norm: Norm::Mean(0),
@@ -112,25 +102,24 @@ fn released(rung: &Rung) -> Result<Guest, &'static str> {
 }
 
 /// Variants by dimension, scheme and whether gravity is reversed.
-const VARIANTS: [(&str, Dimension, StressScheme, bool); 12] = [
-    ("2D USL", Dimension::Two, StressScheme::Usl, false),
-    ("2D USF", Dimension::Two, StressScheme::Usf, false),
-    ("2D MUSL", Dimension::Two, StressScheme::Musl, false),
-    ("3D USL", Dimension::Three, StressScheme::Usl, false),
-    ("3D USF", Dimension::Three, StressScheme::Usf, false),
-    ("3D MUSL", Dimension::Three, StressScheme::Musl, false),
-    ("lift-off 2D USL", Dimension::Two, StressScheme::Usl, true),
-    ("lift-off 2D USF", Dimension::Two, StressScheme::Usf, true),
-    ("lift-off 2D MUSL", Dimension::Two, StressScheme::Musl, true),
-    ("lift-off 3D USL", Dimension::Three, StressScheme::Usl, true),
-    ("lift-off 3D USF", Dimension::Three, StressScheme::Usf, true),
-    (
-        "lift-off 3D MUSL",
-        Dimension::Three,
-        StressScheme::Musl,
-        true,
-    ),
-];
+const VARIANTS: [(&str, Dimension, StressScheme, bool); 12] = {
+    use Dimension::{Three, Two};
+    use StressScheme::{Musl, Usf, Usl};
+    [
+        ("2D USL", Two, Usl, false),
+        ("2D USF", Two, Usf, false),
+        ("2D MUSL", Two, Musl, false),
+        ("3D USL", Three, Usl, false),
+        ("3D USF", Three, Usf, false),
+        ("3D MUSL", Three, Musl, false),
+        ("lift-off 2D USL", Two, Usl, true),
+        ("lift-off 2D USF", Two, Usf, true),
+        ("lift-off 2D MUSL", Two, Musl, true),
+        ("lift-off 3D USL", Three, Usl, true),
+        ("lift-off 3D USF", Three, Usf, true),
+        ("lift-off 3D MUSL", Three, Musl, true),
+    ]
+};
 
 /// Dimension, scheme and whether gravity is reversed, of a rung.
 fn variant(rung: &Rung) -> (Dimension, StressScheme, bool) {
@@ -141,7 +130,7 @@ fn variant(rung: &Rung) -> (Dimension, StressScheme, bool) {
 
 fn incline(reference: Reference, rung: &Rung) -> Incline {
     let (dimension, _, lifts) = variant(rung);
-    let h = rung.cell;
+    let (h, pull) = (rung.cell, reference.of(&WRONG_PULL) * GRAVITY);
     Incline {
         dimension,
         cell: h,
@@ -150,69 +139,61 @@ fn incline(reference: Reference, rung: &Rung) -> Incline {
         height: HEIGHT,
         air: if lifts { 6.0 } else { 2.0 * h },
         blocks: BLOCKS.to_vec(),
-        gravity: [
-            reference.of(&WRONG_PULL) * GRAVITY,
-            if lifts {
-                -reference.of(&WRONG_PULL) * GRAVITY
-            } else {
-                GRAVITY
-            },
-        ],
+        gravity: [pull, if lifts { -pull } else { GRAVITY }],
         held: true,
         damping: None,
         tilting: None,
     }
 }
 
-fn quantities(tracks: &[Track], lifts: bool) -> Vec<Quantity> {
+/// The exact motion of a block.
+fn exact(block: &Block) -> Slope {
+    Slope {
+        along: GRAVITY,
+        into: GRAVITY,
+        friction: block.friction,
+    }
+}
+
+/// Way and acceleration of the blocks that slide.
+fn slid(tracks: &[Track]) -> Vec<Quantity> {
     let mut all = vec![];
     for (i, (block, track)) in BLOCKS.iter().zip(tracks).enumerate() {
-        if lifts {
-            let free: Vec<[f64; 2]> = track
-                .out
-                .iter()
-                .copied()
-                .filter(|v| v[0] > FREE_FROM)
-                .collect();
-            all.push(Quantity::compared(
-                LIFTS[i],
-                fitted_slope(&free),
-                GRAVITY,
-                "m/s²",
-            ));
-            continue;
-        }
-        let exact = Slope {
-            along: GRAVITY,
-            into: GRAVITY,
-            friction: block.friction,
-        };
-        let end = track.way.last().map_or(f64::NAN, |w| w[0]);
+        let exact = exact(block);
+        let (end, way) = (track.way.last().map_or(f64::NAN, |w| w[0]), track.end());
         all.push(Quantity::compared(
             WAYS[i],
-            track.end(),
+            way,
             exact.displacement(end),
             "m",
         ));
         if i == 0 {
             let elastic = exact.elastic_displacement(end, HEIGHT, shear_wave_speed());
-            all.push(Quantity::compared(ELASTIC, track.end(), elastic, "m"));
+            all.push(Quantity::compared(ELASTIC, way, elastic, "m"));
         }
-        all.push(Quantity::compared(
-            ACCELERATIONS[i],
-            fitted_slope(&track.velocity),
-            exact.acceleration(),
-            "m/s²",
-        ));
+        let (found, exact) = (fitted_slope(&track.velocity), exact.acceleration());
+        all.push(Quantity::compared(ACCELERATIONS[i], found, exact, "m/s²"));
     }
-    let over_weight = |name, forces: &dyn Fn(&Track) -> f64| {
-        let value = tracks
-            .iter()
-            .map(|t| forces(t) / t.weight)
-            .fold(0.0, f64::max);
-        Quantity::of_zero(name, value)
+    all
+}
+
+/// Accelerations of the blocks that have lifted off.
+fn lifted(tracks: &[Track]) -> Vec<Quantity> {
+    let lift = |(name, track): (&'static str, &Track)| {
+        let free = track.out.iter().copied().filter(|v| v[0] > FREE_FROM);
+        let found = fitted_slope(&free.collect::<Vec<_>>());
+        Quantity::compared(name, found, GRAVITY, "m/s²")
     };
+    LIFTS.into_iter().zip(tracks).map(lift).collect()
+}
+
+fn quantities(tracks: &[Track], lifts: bool) -> Vec<Quantity> {
+    let mut all = if lifts { lifted(tracks) } else { slid(tracks) };
     let largest = |forces: &mut dyn Iterator<Item = f64>| forces.fold(0.0, f64::max);
+    let over_weight = |name, force: &dyn Fn(&Track) -> f64| {
+        let mut shares = tracks.iter().map(|track| force(track) / track.weight);
+        Quantity::of_zero(name, largest(&mut shares))
+    };
     all.push(over_weight(PULL, &|t| {
         largest(&mut t.force.iter().map(|f| -f))
     }));
@@ -226,19 +207,19 @@ fn quantities(tracks: &[Track], lifts: bool) -> Vec<Quantity> {
 }
 
 fn rungs(size: Size) -> Vec<Rung> {
-    let cells: &[(Dimension, f64)] = match size {
-        Size::Quick => &[(Dimension::Two, 1.0)],
-        Size::Full => &[
-            (Dimension::Two, 1.0),
-            (Dimension::Two, 0.5),
-            (Dimension::Three, 1.0),
-        ],
+    let whole = [
+        (Dimension::Two, 1.0),
+        (Dimension::Two, 0.5),
+        (Dimension::Three, 1.0),
+    ];
+    let cells = if size == Size::Quick {
+        &whole[..1]
+    } else {
+        &whole
     };
     let of = |&(dimension, cell): &(Dimension, f64)| {
-        VARIANTS
-            .into_iter()
-            .filter(move |v| v.1 == dimension)
-            .map(move |v| Rung::new(v.0, cell))
+        let own = VARIANTS.into_iter().filter(move |v| v.1 == dimension);
+        own.map(move |v| Rung::new(v.0, cell))
     };
     cells.iter().flat_map(of).collect()
 }
@@ -251,11 +232,6 @@ fn slides(rung: &Rung) -> bool {
     !parts(rung)
 }
 
-fn method(rung: &Rung) -> Settings {
-    let (_, scheme, _) = variant(rung);
-    Settings::new(Method::DEFAULT.with_scheme(scheme)).courant(COURANT)
-}
-
 fn scene(rung: &Rung, settings: &Settings, reference: Reference) -> Scene {
     let (_, _, lifts) = variant(rung);
     let time = if lifts { TIME_LIFTED } else { TIME };
@@ -265,25 +241,9 @@ fn scene(rung: &Rung, settings: &Settings, reference: Reference) -> Scene {
     scene
 }
 
-fn options(rung: &Rung, reference: Reference, options: Options) -> Options {
-    incline(reference, rung).options(options)
-}
-
 fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
-    let (rung, reference) = (run.rung, run.reference);
-    let (simulation, observer) = (run.simulation, run.observer);
-    let incline = incline(reference, rung);
-    incline.release(simulation, observer)?;
-    let tracks = follow(&incline, simulation, observer)?;
-    let quantities = quantities(&tracks, variant(rung).2);
-    Ok(Measurements::of(quantities))
-}
-
-fn path(size: Size) -> Vec<Rung> {
-    let (variant, ..) = VARIANTS[0];
-    let cells: &[f64] = match size {
-        Size::Quick => &[1.0, 0.5],
-        Size::Full => &[1.0, 0.5, 0.25],
-    };
-    Rung::ladders(&[(variant, cells)])
+    let incline = incline(run.reference, run.rung);
+    incline.release(run.simulation, run.observer)?;
+    let tracks = follow(&incline, run.simulation, run.observer)?;
+    Ok(Measurements::of(quantities(&tracks, variant(run.rung).2)))
 }

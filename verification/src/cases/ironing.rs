@@ -29,6 +29,7 @@ mod judge;
 mod pressed;
 
 use super::prelude::*;
+use super::vocabulary::incline::fitted_slope;
 
 const BLOCK: [f64; 2] = [12.0, 4.0];
 const YOUNG: f64 = 600.0;
@@ -74,31 +75,24 @@ struct Reading {
     figures: [f64; 3],
 }
 
+const fn reading_of(
+    variant: &'static str,
+    [stiffness, friction]: [f64; 2],
+    figures: [f64; 3],
+) -> Reading {
+    Reading {
+        variant,
+        stiffness,
+        friction,
+        figures,
+    }
+}
+
 const READINGS: [Reading; 4] = [
-    Reading {
-        variant: "600 Pa",
-        stiffness: 1.0,
-        friction: 0.0,
-        figures: [473.0, 529.0, -20.0],
-    },
-    Reading {
-        variant: "600 Pa, friction",
-        stiffness: 1.0,
-        friction: 0.1,
-        figures: [479.0, 525.0, -82.0],
-    },
-    Reading {
-        variant: "600 kPa",
-        stiffness: 1e3,
-        friction: 0.0,
-        figures: [473e3, 529e3, -20e3],
-    },
-    Reading {
-        variant: "600 kPa, friction",
-        stiffness: 1e3,
-        friction: 0.1,
-        figures: [479e3, 525e3, -82e3],
-    },
+    reading_of("600 Pa", [1.0, 0.0], [473.0, 529.0, -20.0]),
+    reading_of("600 Pa, friction", [1.0, 0.1], [479.0, 525.0, -82.0]),
+    reading_of("600 kPa", [1e3, 0.0], [473e3, 529e3, -20e3]),
+    reading_of("600 kPa, friction", [1e3, 0.1], [479e3, 525e3, -82e3]),
 ];
 
 const WRONG_FORCE: Wrong =
@@ -110,11 +104,19 @@ pub static IRONING: Case = Case::new(
     "What force does it take to press an indenter into a soft block and to draw it along?",
 )
 .ladder(Ladder::made(rungs))
-.method(method)
+.method(|_| settings(PAPER, 3))
 .scene(scene)
-.prepare(prepare)
+.prepare(|rung, reference| {
+    if rung.variant == pressed::VARIANT {
+        let _ = pressed::reference(reference.of(&WRONG_FORCE));
+    }
+})
 .run(compare)
+.tables(&[
+    TableRule::new("{variant}", &[pressed::HISTORY]).of(|variant| variant == pressed::VARIANT)
+])
 .judge_by(judge::verdict)
+.line_of_each(judge::line)
 .wrong_references(&[WRONG_FORCE])
 .studies(&[Plan::new(
     Ladder::sizes(
@@ -200,17 +202,13 @@ fn motion() -> History {
 /// Root mean square of what a straight line leaves of equally spaced values, over their mean.
 fn ripple(values: &[f64]) -> f64 {
     let n = values.len() as f64;
-    let middle = 0.5 * (n - 1.0);
-    let mean = values.iter().sum::<f64>() / n;
-    let (mut product, mut square) = (0.0, 0.0);
-    for (k, value) in values.iter().enumerate() {
-        let at = k as f64 - middle;
-        product += at * (value - mean);
-        square += at * at;
-    }
-    let slope = product / square;
-    let left = values.iter().enumerate();
-    let left = left.map(|(k, value)| (value - mean - slope * (k as f64 - middle)).powi(2));
+    let (middle, mean) = (0.5 * (n - 1.0), values.iter().sum::<f64>() / n);
+    let points = (values.iter().enumerate()).map(|(k, value)| [k as f64, *value]);
+    let points: Vec<[f64; 2]> = points.collect();
+    let slope = fitted_slope(&points);
+    let left = points
+        .iter()
+        .map(|[k, value]| (value - mean - slope * (k - middle)).powi(2));
     (left.sum::<f64>() / n).sqrt() / mean
 }
 
@@ -225,25 +223,19 @@ fn quantities(forces: &[[f64; 2]], expected: [f64; 3]) -> Vec<Quantity> {
         let of = |axis: usize| plateau.iter().map(|f| f[axis]).collect::<Vec<_>>();
         let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
         let [along, down] = [0, 1].map(|axis| mean(&of(axis)));
-        found.push(Quantity::compared(MEAN, down, expected[1], "N"));
-        found.push(Quantity::compared(ACROSS, along, expected[2], "N"));
-        found.push(Quantity::compared(
-            OVER,
-            along / down,
-            expected[2] / expected[1],
-            "1",
-        ));
-        found.push(Quantity::balance(RIPPLE, ripple(&of(1)), "1"));
+        let over = expected[2] / expected[1];
+        found.extend([
+            Quantity::compared(MEAN, down, expected[1], "N"),
+            Quantity::compared(ACROSS, along, expected[2], "N"),
+            Quantity::compared(OVER, along / down, over, "1"),
+            Quantity::balance(RIPPLE, ripple(&of(1)), "1"),
+        ]);
         if let Some(out) = forces.get(at(PLATEAU[1])..=at(AWAY)) {
             // Forces are those on the indenter.
             let leftward = out.iter().map(|f| f[0]).fold(0.0, f64::max);
-            let left = forces[at(AWAY)];
+            let [x, y] = forces[at(AWAY)];
             found.push(Quantity::figure(LEFTWARD, leftward, "N"));
-            found.push(Quantity::balance(
-                FREE,
-                libm::hypot(left[0], left[1]) / down,
-                "1",
-            ));
+            found.push(Quantity::balance(FREE, libm::hypot(x, y) / down, "1"));
         }
     }
     found
@@ -274,73 +266,41 @@ fn rungs(size: Size) -> Vec<Rung> {
     Rung::ladders(&ladders)
 }
 
-fn method(_rung: &Rung) -> Settings {
-    settings(PAPER, 3)
-}
-
 fn scene(rung: &Rung, settings: &Settings) -> Scene {
     let h = rung.cell;
     let reading = reading(rung);
     let mut mesh = open_plane(h, [-2.0, 0.0], [15.0, 8.0]);
     mesh.planes[1][0] = PlaneCondition::Fixed;
-    let mut scene = Scene::new(Dimension::Two, mesh, end(rung));
-    scene.name.clone_from(&rung.label);
-    scene.results = NO_RESULTS;
+    let mut scene = plane_scene(&rung.label, mesh, end(rung));
     scene.time_step = settings.multiplier();
     scene.damping = Damping::Viscous { alpha: DAMPING };
-    scene.materials = elastic(
-        DENSITY * reading.stiffness,
-        YOUNG * reading.stiffness,
-        POISSON,
-    );
+    let stiffness = reading.stiffness;
+    scene.materials = elastic(DENSITY * stiffness, YOUNG * stiffness, POISSON);
     if rung.variant == pressed::VARIANT {
         scene.materials[0].law = NeoHookean::new(YOUNG, POISSON).into();
         scene.damping = Damping::Viscous {
             alpha: DAMPING * h / CELL,
         };
     }
-    scene.bodies = vec![body(
-        "block",
-        1,
-        cuboid([0.0; 3], [BLOCK[0], BLOCK[1], 0.0]),
-    )];
+    scene.bodies = vec![body("block", 1, rectangle([0.0; 2], BLOCK))];
     scene.mortar.boundaries = vec![boundary(1, Vertices::Spacing(SEGMENT))];
     scene.mortar.lines = vec![rigid_line("indenter", 2, indenter(), Some(motion()))];
     scene.mortar.contacts = vec![MortarContact {
         friction: reading.friction,
-        tangential_stiffness: 1e4 * reading.stiffness,
-        ..barrier(
-            "indenter in block",
-            [1, 2],
-            CRITICAL_GAP,
-            KAPPA * reading.stiffness,
-        )
+        tangential_stiffness: 1e4 * stiffness,
+        ..barrier("indenter in block", [1, 2], CRITICAL_GAP, KAPPA * stiffness)
     }];
     settings.apply(&mut scene);
     scene.transfer.pic_fraction = PIC;
     scene
 }
 
-fn prepare(rung: &Rung, reference: Reference) {
-    if rung.variant == pressed::VARIANT {
-        let _ = pressed::reference(reference.of(&WRONG_FORCE));
-    }
-}
-
 fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
-    let (rung, reference) = (run.rung, run.reference);
-    let (simulation, observer) = (run.simulation, run.observer);
-    let forces = forces(simulation, observer)?;
-    let (quantities, curve) = if rung.variant == pressed::VARIANT {
-        let known = pressed::reference(reference.of(&WRONG_FORCE))?;
-        (
-            pressed::quantities(&forces, &known),
-            pressed::curve(&rung.label, &forces, &known),
-        )
-    } else {
-        let figures = reading(rung).figures;
-        let expected = figures.map(|f| f * reference.of(&WRONG_FORCE));
-        (quantities(&forces, expected), curve(&rung.label, &forces))
-    };
-    Ok(Measurements::of(quantities).drawn(curve))
+    let (rung, factor) = (run.rung, run.reference.of(&WRONG_FORCE));
+    let forces = forces(run.simulation, run.observer)?;
+    if rung.variant == pressed::VARIANT {
+        return pressed::compare(&rung.label, &forces, &pressed::reference(factor)?);
+    }
+    let expected = reading(rung).figures.map(|f| f * factor);
+    Ok(Measurements::of(quantities(&forces, expected)).drawn(curve(&rung.label, &forces)))
 }

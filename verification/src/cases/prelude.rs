@@ -18,7 +18,7 @@ pub(crate) use proctor_scene::{
     BaseMotion, Body, BodyBoundary, BoxLoad, Contact, ContactNormal, Damping, Dimension,
     DomainUpdate, Field, HeldBox, History, InitialPressure, InitialStress, Material, Mesh, Mortar,
     MortarContact, Motion, ParticleSeed, PlaneCondition, PointLoad, PoreWater, Results,
-    RigidFacets, RigidLine, RigidSurface, Scene, Shape, StressScheme, TimeStep, Traction, TransferKind, Vector,
+    RigidFacets, RigidLine, Scene, Shape, StressScheme, TimeStep, Traction, TransferKind, Vector,
     Vertices, VolumetricStrain, Weighting,
 };
 

@@ -70,9 +70,19 @@ pub static RINGS: Case = Case::new(
     "Do two elastic rings that collide push each other away as they should?",
 )
 .ladder(Ladder::made(rungs))
-.method(method)
+.method(|rung| {
+    let flip = rung.variant == FLIP;
+    let transfer = if flip {
+        TransferKind::Flip
+    } else {
+        PAPER.transfer
+    };
+    settings(PAPER.with_transfer(transfer), 3).courant(COURANT)
+})
 .scene(scene)
-.prepare(prepare)
+.prepare(|_, reference| {
+    let _ = known(reference);
+})
 .run(compare)
 .gates_of_variants(&[
     error(BEGIN)
@@ -107,7 +117,7 @@ pub static RINGS: Case = Case::new(
     of_energy(STRAIN),
 ])
 .tables(&[TableRule::new("{variant}", &[IMPULSE])])
-.judge_by(lines)
+.line_of_each(line)
 .wrong_references(&[WRONG_SPEED])
 .studies(&[Plan::new(
     Ladder::made(path),
@@ -172,15 +182,11 @@ fn known(reference: Reference) -> Result<&'static [Sample], String> {
     known_reference(&GIVEN, reference.is_correct(), compute).map(Vec::as_slice)
 }
 
-fn rungs_of(cells: &[(&'static str, &[f64])]) -> Vec<Rung> {
-    cells
-        .iter()
-        .flat_map(|&(variant, cells)| {
-            cells.iter().map(move |&cell| {
-                Rung::labelled(format!("{variant} h={} mm", 1e3 * cell), variant, cell)
-            })
-        })
-        .collect()
+/// Cell sizes of a variant \[m\], which labels have in millimetres.
+fn rungs_of(variant: &'static str, cells: &[f64]) -> Vec<Rung> {
+    let label = |cell: f64| format!("{variant} h={} mm", 1e3 * cell);
+    let rung = |&cell: &f64| Rung::labelled(label(cell), variant, cell);
+    cells.iter().map(rung).collect()
 }
 
 /// Momentum of one ring before the impact \[N s\].
@@ -262,65 +268,44 @@ impl History {
                 CurvePoint::new(sample.time, energies[kind], 2.0 * of(sample))
             })
         };
-        let kinetic = points(1, |s| s.kinetic);
-        let strain = points(2, |s| s.strain);
-        Curve::new(
-            format!("{label}: kinetic (upper) and strain energy"),
-            ["t in s", "energy in J"],
-            kinetic.chain([PARTED]).chain(strain),
-        )
+        let (kinetic, strain) = (points(1, |s| s.kinetic), points(2, |s| s.strain));
+        let both = kinetic.chain([PARTED]).chain(strain);
+        let title = format!("{label}: kinetic (upper) and strain energy");
+        Curve::new(title, ["t in s", "energy in J"], both)
     }
 }
 
 fn rungs(size: Size) -> Vec<Rung> {
-    match size {
-        Size::Quick => rungs_of(&[(APIC, &[4e-3]), (FLIP, &[4e-3])]),
-        Size::Full => rungs_of(&[(APIC, &[4e-3, 2e-3]), (FLIP, &[4e-3, 2e-3])]),
-    }
+    let cells: &[f64] = match size {
+        Size::Quick => &[4e-3],
+        Size::Full => &[4e-3, 2e-3],
+    };
+    let of = |variant| rungs_of(variant, cells);
+    [APIC, FLIP].into_iter().flat_map(of).collect()
 }
 
-/// The contact of each run, for the record.
-fn lines(runs: &Runs<'_>) -> Verdict {
-    let line = |(rung, s): &(Rung, RungResult)| {
-        let reference = s.quantity(IMPULSE).and_then(|q| q.exact);
-        format!(
-            "{}: contact from {:.3} to {:.3} ms, impulse {:.1} N s (reference {:.1}), peak {:.0} kN (reference {:.0}), energy lost \
-             {:.1} %",
-            rung.label,
-            1e3 * s.value(BEGIN),
-            1e3 * s.value(LAST),
-            s.value(IMPULSE),
-            reference.unwrap_or(f64::NAN),
-            1e-3 * s.value(PEAK),
-            1e-3 * s.value(KNOWN_PEAK),
-            100.0 * s.value(LOSS),
-        )
-    };
-    Verdict {
-        for_the_record: runs.solved.iter().map(line).collect(),
-        ..Verdict::default()
-    }
-}
-
-fn method(rung: &Rung) -> Settings {
-    let method = Method {
-        transfer: if rung.variant == FLIP {
-            TransferKind::Flip
-        } else {
-            PAPER.transfer
-        },
-        ..PAPER
-    };
-    settings(method, 3).courant(COURANT)
+/// The contact of a run, for the record.
+fn line(rung: &Rung, run: &RungResult) -> Option<String> {
+    let reference = run.quantity(IMPULSE).and_then(|q| q.exact);
+    Some(format!(
+        "{}: contact from {:.3} to {:.3} ms, impulse {:.1} N s (reference {:.1}), peak {:.0} kN (reference {:.0}), energy lost \
+         {:.1} %",
+        rung.label,
+        1e3 * run.value(BEGIN),
+        1e3 * run.value(LAST),
+        run.value(IMPULSE),
+        reference.unwrap_or(f64::NAN),
+        1e-3 * run.value(PEAK),
+        1e-3 * run.value(KNOWN_PEAK),
+        100.0 * run.value(LOSS),
+    ))
 }
 
 fn scene(rung: &Rung, settings: &Settings) -> Scene {
     let h = rung.cell;
     let mesh = open_plane(h, [-0.12, -0.08], [0.12, 0.08]);
-    let mut scene = Scene::new(Dimension::Two, mesh, END);
-    scene.name.clone_from(&rung.label);
+    let mut scene = plane_scene(&rung.label, mesh, END);
     scene.time_step = settings.multiplier();
-    scene.results = NO_RESULTS;
     let law = proctor_laws::NeoHookean::new(
         9.0 * BULK * SHEAR / (3.0 * BULK + SHEAR),
         (3.0 * BULK - 2.0 * SHEAR) / (2.0 * (3.0 * BULK + SHEAR)),
@@ -350,23 +335,18 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
     scene
 }
 
-fn prepare(_rung: &Rung, reference: Reference) {
-    let _ = known(reference);
-}
-
 fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
-    let (rung, reference) = (run.rung, run.reference);
-    let (simulation, observer) = (run.simulation, run.observer);
-    let history = History::run(simulation, observer)?;
-    let reference = known(reference)?;
-    let quantities = history.quantities(simulation, reference);
+    let history = History::run(run.simulation, run.observer)?;
+    let known = known(run.reference)?;
+    let quantities = history.quantities(run.simulation, known);
     Ok(Measurements::of(quantities.ok_or("the rings never touch")?)
-        .drawn(history.curve(&rung.label, reference)))
+        .drawn(history.curve(&run.rung.label, known)))
 }
 
 fn path(size: Size) -> Vec<Rung> {
-    rungs_of(match size {
-        Size::Quick => &[(APIC, &[8e-3, 4e-3])],
-        Size::Full => &[(APIC, &[8e-3, 4e-3, 2e-3])],
-    })
+    let cells: &[f64] = match size {
+        Size::Quick => &[8e-3, 4e-3],
+        Size::Full => &[8e-3, 4e-3, 2e-3],
+    };
+    rungs_of(APIC, cells)
 }

@@ -68,7 +68,9 @@ pub static ROLLING_DISK: Case = Case::new(
     let _ = turn::expected(&exact(reference, rung), rung.variant);
 })
 .run(compare)
+.tables(&[TableRule::new("{variant}", &[WAY, RATIO])])
 .judge_by(judge)
+.line_of_each(line)
 .wrong_references(&[WRONG_GRAVITY])
 .studies(&[
     Plan::new(
@@ -104,111 +106,71 @@ fn exact(reference: Reference, rung: &Rung) -> Exact {
 
 /// Young's modulus of a variant \[Pa\].
 fn young(variant: &str) -> f64 {
-    if variant == "stiff" {
-        100.0 * YOUNG
-    } else {
-        YOUNG
-    }
+    YOUNG * if variant == "stiff" { 100.0 } else { 1.0 }
 }
 
-/// Vertices of the rigid plane, every h/2, outward up.
-fn plane(h: f64, from: f64, to: f64) -> Chain {
+/// The rigid plane, with vertices every h/2, outward up.
+fn plane(h: f64, from: f64, to: f64) -> RigidLine {
     let count = ((to - from) / (0.5 * h)).round() as usize;
-    Chain {
-        points: (0..=count)
-            .map(|k| Point::new(to - (to - from) * k as f64 / count as f64, 0.0))
-            .collect(),
+    let at = |k: usize| Point::new(to - (to - from) * k as f64 / count as f64, 0.0);
+    let chain = Chain {
+        points: (0..=count).map(at).collect(),
         side: BoundarySide::Open,
-    }
+    };
+    rigid_line("plane", 2, chain, None)
 }
 
 fn judge(runs: &Runs<'_>) -> Verdict {
-    let error = |label: &str, name| runs.error(label, name);
-    let mut gates = vec![];
-    let mut at_most = |label: &str, what: &str, value: f64, bound: f64, reason| {
-        gates.push(Gate::at_most(
-            format!("{label}: {what}"),
-            value,
-            bound,
-            reason,
-        ));
+    let error_at_most = |label: &str, name, bound, reason| {
+        let title = format!("{label}: error of the {name}");
+        Gate::at_most(title, runs.error(label, name), bound, reason)
     };
-    let on_way = format!("error of the {WAY}");
-    at_most(
-        "slip h=0.1",
-        &on_way,
-        error("slip h=0.1", WAY),
-        0.01,
-        "the method's reference figures: 0.46 %",
-    );
-    at_most(
-        "stick h=0.1",
-        &on_way,
-        error("stick h=0.1", WAY),
-        0.02,
-        "the method's reference figures: 1.3 %",
-    );
-    for label in ["slip h=0.1", "stick h=0.1"] {
-        let off = runs.value(label, AREA_OFF);
-        at_most(
-            label,
-            AREA_OFF,
-            off,
-            turn::SECOND_ORDER,
-            "strains are known to first order: the square of rho omega² R²/E",
-        );
-    }
-    let on_turn = format!("error of the {RATIO}");
-    for rung in runs.rungs {
+    let squares = "strains are known to first order: the square of rho omega² R²/E";
+    let area = |label| runs.value_at_most(label, AREA_OFF, turn::SECOND_ORDER, squares);
+    let [slip, stick] = ["slip h=0.1", "stick h=0.1"];
+    let mut gates = vec![
+        error_at_most(slip, WAY, 0.01, "the method's reference figures: 0.46 %"),
+        error_at_most(stick, WAY, 0.02, "the method's reference figures: 1.3 %"),
+        area(slip),
+        area(stick),
+    ];
+    gates.extend(runs.rungs.iter().map(|rung| {
         let (bound, reason) = turn::bound(rung);
-        let found = error(&rung.label, RATIO);
-        at_most(&rung.label, &on_turn, found, bound, reason);
-    }
+        error_at_most(&rung.label, RATIO, bound, reason)
+    }));
     if runs.size == Size::Full {
-        at_most(
-            "stick h=0.05",
-            &on_way,
-            error("stick h=0.05", WAY),
-            0.005,
-            "the method's reference figures: 0.18 %",
-        );
-        at_most(
+        let figure = "the method's reference figures: 0.18 %";
+        let nearer = "a stiffer disk is nearer to a rigid one";
+        gates.push(error_at_most("stick h=0.05", WAY, 0.005, figure));
+        gates.push(error_at_most(
             "stiff h=0.1",
-            &on_way,
-            error("stiff h=0.1", WAY),
-            error("stick h=0.1", WAY),
-            "a stiffer disk is nearer to a rigid one",
-        );
+            WAY,
+            runs.error(stick, WAY),
+            nearer,
+        ));
     }
-    gates.push(turn::order(runs.solved));
+    gates.push(turn::order(runs));
     Verdict {
-        tables: ["slip", "stick", "stiff"]
-            .into_iter()
-            .filter(|v| runs.solved.iter().any(|(rung, _)| rung.variant == *v))
-            .map(|v| (v.to_owned(), runs.table(Some(v), &[WAY, RATIO])))
-            .collect(),
         gates,
-        for_the_record: runs.solved
-            .iter()
-            .map(|(rung, s)| {
-                let ratio = s.quantity(RATIO);
-                format!(
-                    "{}: {RATIO} is {:.4}, expected {:.4}; area growth {:.2} %, less that of spin and load {:.2} %",
-                    rung.label,
-                    s.value(RATIO),
-                    ratio.and_then(|q| q.exact).unwrap_or(f64::NAN),
-                    100.0 * s.value(AREA),
-                    100.0 * s.value(AREA_OFF),
-                )
-            })
-            .collect(),
-        curves: vec![],
+        ..Verdict::default()
     }
 }
 
-pub(super) fn method(_rung: &Rung) -> Settings {
-    let method = Method::DEFAULT.with_transfer(TransferKind::Apic);
-    settings(method, 5)
+/// Turn and area of a run, for the record.
+fn line(rung: &Rung, run: &RungResult) -> Option<String> {
+    let expected = run.quantity(RATIO).and_then(|q| q.exact);
+    Some(format!(
+        "{}: {RATIO} is {:.4}, expected {:.4}; area growth {:.2} %, less that of spin and load {:.2} %",
+        rung.label,
+        run.value(RATIO),
+        expected.unwrap_or(f64::NAN),
+        100.0 * run.value(AREA),
+        100.0 * run.value(AREA_OFF),
+    ))
+}
+
+pub(super) fn method(_: &Rung) -> Settings {
+    settings(APIC, 5)
 }
 
 pub(super) fn scene(rung: &Rung, settings: &Settings) -> Scene {
@@ -216,28 +178,20 @@ pub(super) fn scene(rung: &Rung, settings: &Settings) -> Scene {
     let (from, to) = (-1.2, 9.6);
     let mesh = open_plane(h, [from, -0.4], [to, 1.4]);
     let normal = GRAVITY * libm::cos(INCLINATION_DEGREES.to_radians());
+    let disk = Shape::Sphere {
+        center: [0.0, RADIUS + 0.5 * GAP, 0.0],
+        radius: RADIUS,
+    };
     let mut scene = Scene {
         name: rung.label.clone(),
         time_step: settings.multiplier(),
         gravity: [0.0, -normal, 0.0],
         materials: elastic(DENSITY, young(rung.variant), POISSON),
-        bodies: vec![body(
-            "disk",
-            1,
-            Shape::Sphere {
-                center: [0.0, RADIUS + 0.5 * GAP, 0.0],
-                radius: RADIUS,
-            },
-        )],
+        bodies: vec![body("disk", 1, disk)],
         damping: Damping::Local { alpha: SETTLING },
         mortar: Mortar {
             boundaries: vec![boundary(1, Vertices::Spacing(TAU * RADIUS / 64.0))],
-            lines: vec![rigid_line(
-                "plane",
-                2,
-                plane(0.1, from + 0.2, to - 0.2),
-                None,
-            )],
+            lines: vec![plane(0.1, from + 0.2, to - 0.2)],
             contacts: vec![MortarContact {
                 friction: friction(rung.variant),
                 tangential_stiffness: KAPPA_T,
@@ -271,18 +225,15 @@ pub(super) fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
     let (sin, cos) = libm::sincos(INCLINATION_DEGREES.to_radians());
     simulation.set_local_damping(None)?;
     simulation.set_gravity([GRAVITY * sin, -GRAVITY * cos, 0.0])?;
-    let start = simulation.center(0).position;
+    let start = simulation.center(0).position[0];
     let exact = exact(reference, rung);
     let (mut points, mut turn) = (vec![], 0.0);
     for k in 1..=20 {
         let time = f64::from(k) / 20.0 * STAGE;
         // The disk swings on its tangential spring, so the turn is integrated rather than read off once.
         follow(simulation, STAGE + time, &mut turn)?;
-        points.push(CurvePoint::new(
-            time,
-            simulation.center(0).position[0] - start[0],
-            exact.way_and_turn(time).0,
-        ));
+        let way = simulation.center(0).position[0] - start;
+        points.push(CurvePoint::new(time, way, exact.way_and_turn(time).0));
     }
     let way = points.last().map_or(f64::NAN, |p| p.computed);
     let growth = area(simulation) / thickness / (0.5 * TAU * RADIUS * RADIUS) - 1.0;
@@ -294,19 +245,15 @@ pub(super) fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
         Quantity::figure(AREA, growth, "1"),
         Quantity::balance(AREA_OFF, (growth - of_spin).abs(), "1"),
     ];
-    let curve = Curve::new(
-        format!("{}: way along the plane", rung.label),
-        ["t in s", "u_x in m"],
-        points,
-    );
+    let title = format!("{}: way along the plane", rung.label);
+    let curve = Curve::new(title, ["t in s", "u_x in m"], points);
     Ok(Measurements::of(quantities).drawn(curve))
 }
 
 /// Sum of the particles' volumes \[m²\].
 fn area(simulation: &Simulation) -> f64 {
-    (0..simulation.particles())
-        .map(|p| simulation.particle_volume(0, p))
-        .sum()
+    let volume = |p| simulation.particle_volume(0, p);
+    (0..simulation.particles()).map(volume).sum()
 }
 
 /// Angular velocity down the plane (clockwise), as angular momentum over moment of inertia \[1/s\].

@@ -37,6 +37,13 @@ pub static ROLLING_DISK_SLAB: Case = Case::new(
     rolling_disk::compare(run.as_rung(&plane))
 })
 .judge_by(judge)
+.line_of_each(|rung, run| {
+    Some(format!(
+        "{}: {AREA} is {:.2} %",
+        rung.label,
+        100.0 * run.value(AREA)
+    ))
+})
 .tables(&[TableRule::new("{variant}", &[WAY, RATIO])])
 .studies(&[Plan::new(
     Ladder::sizes(
@@ -70,12 +77,8 @@ fn judge(runs: &Runs<'_>) -> Verdict {
             )
         })
     });
-    let growth = |(rung, s): &(Rung, RungResult)| {
-        format!("{}: {AREA} is {:.2} %", rung.label, 100.0 * s.value(AREA))
-    };
     Verdict {
         gates: gates.collect(),
-        for_the_record: runs.solved.iter().map(growth).collect(),
         ..Verdict::default()
     }
 }

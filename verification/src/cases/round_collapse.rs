@@ -9,7 +9,7 @@
 //! Sand as in *collapse*. `proctor verify round-collapse`.
 
 use super::prelude::*;
-use super::vocabulary::run_out::{self, FRONT, RunOut};
+use super::vocabulary::run_out;
 
 const RADIUS: f64 = 1.0; // Radius of the column, r_0 [m]
 const GRAVITY: f64 = 9.81; // Gravity [m/s²]
@@ -23,6 +23,7 @@ const FALLS: f64 = 6.0;
 /// APIC, which does not ring where particles cross cells.
 const METHOD: Method = Method::DEFAULT.with_transfer(TransferKind::Apic);
 const BEYOND: &str = "run-out over that of experiments";
+const CONTINUA: &str = "experiments and continua differ by a third, and fronts are a cell thick";
 const WIDE: &str = "a=0.8";
 const SLENDER: &str = "a=2";
 const WRONG_WORK: Wrong =
@@ -36,7 +37,21 @@ pub static ROUND_COLLAPSE: Case = Case::new(
 .ladder(Ladder::made(rungs))
 .scene(scene)
 .run(compare)
-.judge_by(judge)
+.gates_of_rungs(&[
+    run_out::LOSES_NOTHING,
+    run_out::GAINS_NOTHING,
+    run_out::GIVES_NOTHING_BACK,
+    run_out::STAYS_ON_ITS_PATH,
+    run_out::RESTS,
+    value(BEYOND).at_most(1.5, CONTINUA),
+    value(BEYOND)
+        .at_least(0.5, CONTINUA)
+        .named("{label}: {quantity}, at least"),
+])
+.line_of_each(|rung, run| {
+    let what = format!("run-out {:.2} of that of experiments", run.value(BEYOND));
+    Some(run_out::said(rung, run, &what))
+})
 .wrong_references(&[WRONG_WORK])
 .no_study("nothing exact is known of a heap but balances, which hold whatever the settings")
 .no_guest("the scenes of other solvers have no axis of revolution");
@@ -99,61 +114,23 @@ fn scene(rung: &Rung, _: &Settings) -> Scene {
 }
 
 fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
-    let work = run.reference.of(&WRONG_WORK);
-    let ran = run_out::run(run.simulation, work, run.observer)?;
-    Ok(found(run.rung, ran))
-}
-
-fn found(rung: &Rung, mut run: RunOut) -> Measurements {
-    let far = published(aspect(rung));
-    let front = run.quantities.iter().find(|q| q.name == FRONT);
-    let beyond = front.map_or(f64::NAN, |q| q.value / RADIUS - 1.0);
-    run.quantities
-        .push(Quantity::figure(BEYOND, beyond / far, "1"));
-    let points = run.places.iter().map(|place| {
-        CurvePoint::new(
-            place.time / fall(rung),
-            place.front / RADIUS - 1.0,
-            f64::NAN,
-        )
+    let (rung, work) = (run.rung, run.reference.of(&WRONG_WORK));
+    let mut ran = run_out::run(run.simulation, work, run.observer)?;
+    let [front, _] = ran.at_last();
+    let over = (front / RADIUS - 1.0) / published(aspect(rung));
+    ran.quantities.push(Quantity::figure(BEYOND, over, "1"));
+    let points = ran.places.iter().map(|place| {
+        let (time, beyond) = (place.time / fall(rung), place.front / RADIUS - 1.0);
+        CurvePoint::new(time, beyond, f64::NAN)
     });
+    let names = ["time over sqrt(H/g)", "distance of the front over radius"];
     let curve = Curve::new(
         format!("front of the column, {}", rung.label),
-        ["time over sqrt(H/g)", "distance of the front over radius"],
+        names,
         points,
     );
-    Measurements {
-        drawings: vec![run.drawing],
-        ..Measurements::of(run.quantities).drawn(curve)
-    }
-}
-
-fn judge(runs: &Runs<'_>) -> Verdict {
-    let mut verdict = Verdict::default();
-    for rung in runs.rungs {
-        let label = &rung.label;
-        verdict.gates.extend(run_out::gates(runs, label, true));
-        let beyond = runs.value(label, BEYOND);
-        verdict.gates.extend([
-            Gate::at_most(
-                format!("{label}: {BEYOND}"),
-                beyond,
-                1.5,
-                "experiments and continua differ by a third, and fronts are a cell thick",
-            ),
-            Gate::at_least(
-                format!("{label}: {BEYOND}, at least"),
-                beyond,
-                0.5,
-                "experiments and continua differ by a third, and fronts are a cell thick",
-            ),
-        ]);
-        if runs.run(label).is_some() {
-            let what = format!("run-out {beyond:.2} of that of experiments");
-            verdict
-                .for_the_record
-                .push(run_out::said(runs, label, &what));
-        }
-    }
-    verdict
+    Ok(Measurements {
+        drawings: vec![ran.drawing],
+        ..Measurements::of(ran.quantities).drawn(curve)
+    })
 }

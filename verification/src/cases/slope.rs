@@ -50,6 +50,13 @@ pub static SLOPE: Case = Case::new(
 .ladder(Ladder::made(rungs))
 .scene(scene)
 .run(compare)
+.gates_of_rungs(&[
+    run_out::LOSES_NOTHING,
+    run_out::GAINS_NOTHING,
+    run_out::GIVES_NOTHING_BACK,
+    run_out::STAYS_ON_ITS_PATH,
+    run_out::RESTS,
+])
 .judge_by(judge)
 .wrong_references(&[WRONG_WORK])
 .no_study("nothing exact is known of where it comes to rest")
@@ -84,42 +91,32 @@ fn rungs(size: Size) -> Vec<Rung> {
     Rung::ladders(&[(LOCAL, cells), (CRACK_BAND, cells)])
 }
 
+/// How far each run comes, and that against the cell size, variant by variant.
 fn judge(runs: &Runs<'_>) -> Verdict {
     let mut verdict = Verdict::default();
     for variant in [LOCAL, CRACK_BAND] {
-        let mut points = vec![];
-        for rung in runs.rungs {
-            if rung.variant != variant {
-                continue;
-            }
-            let label = &rung.label;
-            verdict.gates.extend(run_out::gates(runs, label, true));
-            if runs.run(label).is_none() {
-                continue;
-            }
-            let value = |name: &str| runs.value(label, name);
-            let what = format!(
-                "run-out {:.2} heights beyond the foot, highest point {:.2} m",
-                value(BEYOND),
-                value(TOP)
-            );
-            let line = run_out::said(runs, label, &what);
-            verdict.for_the_record.push(line);
-            points.push(CurvePoint::new(
-                rung.cell,
-                value(FRONT) - CREST - HEIGHT,
-                f64::NAN,
-            ));
-        }
-        points.reverse();
+        let own = runs
+            .solved
+            .iter()
+            .filter(|(rung, _)| rung.variant == variant);
+        verdict
+            .for_the_record
+            .extend(own.clone().map(|(rung, run)| {
+                let [far, top] = [BEYOND, TOP].map(|name| run.value(name));
+                let what =
+                    format!("run-out {far:.2} heights beyond the foot, highest point {top:.2} m");
+                run_out::said(rung, run, &what)
+            }));
         verdict.for_the_record.push(match variant {
             LOCAL => "local: energy per band is proportional to h: not converged".to_owned(),
             _ => format!("{variant}: a band takes the same energy in cells of any size"),
         });
+        let beyond = |run: &RungResult| run.value(FRONT) - CREST - HEIGHT;
         verdict.curves.push(Curve::new(
             format!("run-out against the cell size, {variant}"),
             ["cell size (m)", "run-out beyond the foot (m)"],
-            points,
+            own.rev()
+                .map(|(rung, run)| CurvePoint::new(rung.cell, beyond(run), f64::NAN)),
         ));
     }
     verdict
@@ -127,27 +124,15 @@ fn judge(runs: &Runs<'_>) -> Verdict {
 
 fn scene(rung: &Rung, _: &Settings) -> Scene {
     let h = rung.cell;
-    let cells = |length: f64| (length / h).round() as usize;
-    let mut mesh = Mesh::new(
-        Dimension::Two,
-        [0.0; 3],
-        [h; 3],
-        [cells(GROUND), cells(HEIGHT) + 2, 1],
-    );
+    let mut mesh = strip(h, [cells(GROUND, h), cells(HEIGHT, h) + 2]);
     mesh.planes[1] = [PlaneCondition::Fixed, PlaneCondition::Free];
-    let mut scene = Scene::new(Dimension::Two, mesh, TIME);
-    scene.name.clone_from(&rung.label);
-    scene.results = NO_RESULTS;
+    let mut scene = plane_scene(&rung.label, mesh, TIME);
     scene.gravity = [0.0, -GRAVITY, 0.0];
     scene.materials = material("clay", DENSITY, law(rung.variant));
-    let corners = [
-        [0.0, 0.0],
-        [CREST + HEIGHT, 0.0],
-        [CREST, HEIGHT],
-        [0.0, HEIGHT],
-    ];
+    let foot = CREST + HEIGHT;
+    let corners = [[0.0, 0.0], [foot, 0.0], [CREST, HEIGHT], [0.0, HEIGHT]];
     let shape = Shape::Polygon {
-        points: corners.iter().map(|p| [p[0], p[1], 0.0]).collect(),
+        points: corners.map(|[x, y]| [x, y, 0.0]).to_vec(),
     };
     let mut bank = body("bank", 1, shape);
     bank.initial_stress = InitialStress::AtRest {
@@ -162,25 +147,18 @@ fn scene(rung: &Rung, _: &Settings) -> Scene {
 }
 
 fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
-    let (rung, reference) = (run.rung, run.reference);
-    let (simulation, observer) = (run.simulation, run.observer);
-    let run = run_out::run(simulation, reference.of(&WRONG_WORK), observer)?;
+    let work = run.reference.of(&WRONG_WORK);
+    let mut ran = run_out::run(run.simulation, work, run.observer)?;
     let foot = CREST + HEIGHT;
-    let points = run
-        .places
-        .iter()
-        .map(|place| CurvePoint::new(place.time, place.front - foot, f64::NAN));
-    let curve = Curve::new(
-        format!("front of the slope, {}", rung.label),
-        ["time (s)", "distance of the front (m)"],
-        points,
-    );
-    let mut quantities = run.quantities;
-    let front = run.places.last().map_or(f64::NAN, |place| place.front);
+    let points = ran.places.iter();
+    let points = points.map(|place| CurvePoint::new(place.time, place.front - foot, f64::NAN));
+    let title = format!("front of the slope, {}", run.rung.label);
+    let curve = Curve::new(title, ["time (s)", "distance of the front (m)"], points);
+    let [front, _] = ran.at_last();
     let beyond = (front - foot) / HEIGHT;
-    quantities.push(Quantity::figure(BEYOND, beyond, "1"));
+    ran.quantities.push(Quantity::figure(BEYOND, beyond, "1"));
     Ok(Measurements {
-        drawings: vec![run.drawing],
-        ..Measurements::of(quantities).drawn(curve)
+        drawings: vec![ran.drawing],
+        ..Measurements::of(ran.quantities).drawn(curve)
     })
 }

@@ -19,7 +19,6 @@ mod height;
 use super::prelude::*;
 use super::vocabulary::incline::dot;
 use height::HeightField;
-use proctor_files::stl::parse;
 
 /// The terrain of the fixtures.
 const TERRAIN: &[u8] = include_bytes!("../../../fixtures/surfaces/terrain.stl");
@@ -63,7 +62,7 @@ const WRONG_PULL: Wrong = Wrong::factor("pull", 1.01)
 /// A sphere on a terrain.
 pub static SPHERE_ON_TERRAIN: Case = Case::new("sphere-on-terrain", "Does a sphere that falls on an STL terrain stay above it, at its own speed and at ten times that?")
     .ladder(Ladder::made(rungs))
-    .method(method)
+    .method(|rung| Settings::new(Method::DEFAULT.with_scheme(variant(rung).1)))
     .scene_by(scene)
     .run(compare)
     .gates_of_rungs(&[
@@ -119,6 +118,20 @@ struct Observations {
     time: f64,
 }
 
+/// Centre and velocity of the sphere at the start.
+struct Start {
+    center: Vector,
+    velocity: Vector,
+}
+
+/// Place at a time \[s\] of what falls freely from a place \[m\] with a velocity \[m/s\].
+fn fallen(from: &Vector, velocity: &Vector, t: f64) -> Vector {
+    std::array::from_fn(|axis| {
+        let g = if axis == 2 { GRAVITY } else { 0.0 };
+        from[axis] + velocity[axis] * t - 0.5 * g * t * t
+    })
+}
+
 fn variant(rung: &Rung) -> Variant {
     let known = VARIANTS.into_iter().chain([BOUNCE]);
     let mut found = known.filter(|v| v.0 == rung.variant);
@@ -128,15 +141,9 @@ fn variant(rung: &Rung) -> Variant {
 /// Time (s) at which the first particle of the sphere at rest touches, from the positions of the centres of its
 /// particles, their half-length (m) and the fall that they have in common.
 fn touch(terrain: &Surface, seeds: &[Vector], half: f64, velocity: &Vector) -> f64 {
-    let fallen = |x: &Vector, t: f64| -> Vector {
-        std::array::from_fn(|axis| {
-            let g = if axis == 2 { GRAVITY } else { 0.0 };
-            x[axis] + velocity[axis] * t - 0.5 * g * t * t
-        })
-    };
     let touches = |t: f64| {
         seeds.iter().any(|x| {
-            let nearest = terrain.nearest_of_all(&fallen(x, t), half);
+            let nearest = terrain.nearest_of_all(&fallen(x, velocity, t), half);
             nearest.is_some_and(|n| !n.on_rim)
         })
     };
@@ -173,24 +180,15 @@ fn look(simulation: &Simulation, terrain: &HeightField, start: &Start, seen: &mu
     }
     seen.time = t;
     if seen.touched.is_none() {
-        let fallen: Vector = std::array::from_fn(|axis| {
-            let g = if axis == 2 { GRAVITY } else { 0.0 };
-            start.center[axis] + start.velocity[axis] * t - 0.5 * g * t * t
-        });
-        let off = (0..3)
-            .map(|a| (x[a] - fallen[a]).powi(2))
-            .sum::<f64>()
-            .sqrt();
-        seen.fall = seen.fall.max(off / RADIUS);
+        let exact = fallen(&start.center, &start.velocity, t);
+        let squares = (0..3).map(|a| (x[a] - exact[a]).powi(2));
+        seen.fall = seen.fall.max(squares.sum::<f64>().sqrt() / RADIUS);
     }
     let velocities = velocities(simulation);
     if let Some((before, rest)) = seen.before.take() {
-        let kinetic: f64 = before
-            .iter()
-            .zip(&velocities)
-            .map(|((m, v), (_, w))| 0.5 * m * dot(v, w))
-            .sum();
-        let energy = kinetic + rest;
+        let pairs = before.iter().zip(&velocities);
+        let kinetic = pairs.map(|((m, v), (_, w))| 0.5 * m * dot(v, w));
+        let energy = kinetic.sum::<f64>() + rest;
         let first = *seen.first.get_or_insert(energy);
         seen.last = energy;
         seen.gained = seen.gained.max(energy / first - 1.0);
@@ -208,12 +206,8 @@ fn look(simulation: &Simulation, terrain: &HeightField, start: &Start, seen: &mu
             seen.deepest = seen.deepest.max(-gap / h);
         }
         // Heights of triangles are 32-bit numbers, planes between them are not.
-        if terrain
-            .height(&position)
-            .is_some_and(|z| position[2] < z - 1e-9)
-        {
-            seen.below += 1;
-        }
+        let height = terrain.height(&position);
+        seen.below += usize::from(height.is_some_and(|z| position[2] < z - 1e-9));
     }
 }
 
@@ -254,12 +248,6 @@ fn quantities(
     all
 }
 
-/// Data of the start.
-struct Start {
-    center: Vector,
-    velocity: Vector,
-}
-
 /// Mass and velocity of all particles, in order of their identifiers.
 fn velocities(simulation: &Simulation) -> Vec<(f64, Vector)> {
     let set = &simulation.sets()[0];
@@ -288,19 +276,14 @@ const MATERIAL: [f64; 3] = [1000.0, 1e7, 0.3];
 /// Speed of pressure waves \[m/s\].
 fn wave_speed() -> f64 {
     let [density, young, poisson] = MATERIAL;
-    let modulus = young * (1.0 - poisson) / ((1.0 + poisson) * (1.0 - 2.0 * poisson));
-    (modulus / density).sqrt()
-}
-
-fn method(rung: &Rung) -> Settings {
-    Settings::new(Method::DEFAULT.with_scheme(variant(rung).1))
+    p_wave_speed(young, poisson, density)
 }
 
 fn scene(rung: &Rung, settings: &Settings, reference: Reference) -> Scene {
     let (_, _, factor, smooth) = variant(rung);
     let h = rung.cell;
-    let cells = [2.0, 2.0, 1.6].map(|length: f64| (length / h).round() as usize);
-    let mesh = Mesh::new(Dimension::Three, [0.0; 3], [h; 3], cells);
+    let counts = [2.0, 2.0, 1.6].map(|length| cells(length, h));
+    let mesh = Mesh::new(Dimension::Three, [0.0; 3], [h; 3], counts);
     let time = if rung.variant == BOUNCE.0 {
         TIME_BOUNCE
     } else if factor > 1.0 {
@@ -312,10 +295,7 @@ fn scene(rung: &Rung, settings: &Settings, reference: Reference) -> Scene {
     scene.gravity = [0.0, 0.0, -reference.of(&WRONG_PULL) * GRAVITY];
     scene.time_step = match settings.courant {
         // The energy of the leapfrog is that of equal steps.
-        None if smooth => TimeStep::Fixed {
-            dt: STEP * h,
-            allow_unstable: false,
-        },
+        None if smooth => equal_steps_of(STEP * h),
         None => TimeStep::Automatic,
         Some(_) => settings.equal_steps(time, h, wave_speed()).0,
     };
@@ -328,41 +308,32 @@ fn scene(rung: &Rung, settings: &Settings, reference: Reference) -> Scene {
         velocity: VELOCITY.map(|v| factor * v),
         ..body("sphere", 1, sphere)
     });
-    // The file is part of the program; were it not sound, a scene without a terrain fails the gates.
-    let corners = parse(TERRAIN).ok();
-    scene.surfaces.extend(corners.and_then(|corners| {
-        Some(RigidSurface {
-            name: "terrain".to_owned(),
-            surface: Arc::new(Surface::new(&corners).ok()?),
-            friction: if smooth { 0.0 } else { FRICTION },
-            distance_threshold: h,
-            penalty_stiffness: None,
-            motion: None,
-        })
-    }));
+    let friction = if smooth { 0.0 } else { FRICTION };
+    scene
+        .surfaces
+        .extend(stl_surface("terrain", TERRAIN, friction, h));
     settings.apply(&mut scene);
     scene
 }
 
 fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
-    let (rung, settings) = (run.rung, run.settings);
-    let (simulation, observer) = (run.simulation, run.observer);
+    let (rung, simulation) = (run.rung, run.simulation);
     let rigid = simulation.scene().surfaces.first();
     let surface = rigid.ok_or("there is no terrain")?.surface.clone();
-    let velocity = simulation.scene().bodies[0].velocity;
-    let seeds: Vec<Vector> = (0..simulation.particles())
-        .map(|p| simulation.position(0, p))
-        .collect();
-    let half = 0.5 * rung.cell / settings.particles_per_cell as f64;
+    let start = Start {
+        center: simulation.center(0).position,
+        velocity: simulation.scene().bodies[0].velocity,
+    };
+    let seeds = (0..simulation.particles()).map(|p| simulation.position(0, p));
+    let seeds: Vec<Vector> = seeds.collect();
+    let half = 0.5 * rung.cell / run.settings.particles_per_cell as f64;
     // The study does not ask for it, and it takes longer than a short run.
     let is_asked = rung.variant != BOUNCE.0;
-    let touch = is_asked.then(|| touch(&surface, &seeds, half, &velocity));
-    let center = simulation.center(0).position;
-    let start = Start { center, velocity };
+    let touch = is_asked.then(|| touch(&surface, &seeds, half, &start.velocity));
     let terrain = HeightField::new(&surface);
     let mut seen = Observations::default();
     let end = simulation.scene().time;
-    run_until(simulation, end, observer, |simulation| {
+    run_until(simulation, end, run.observer, |simulation| {
         look(simulation, &terrain, &start, &mut seen);
     })?;
     let quantities = quantities(rung, simulation, &seen, &start, touch);

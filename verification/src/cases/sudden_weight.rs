@@ -41,13 +41,7 @@ pub static SUDDEN_WEIGHT: Case = Case::new(
     "sudden-weight",
     "Does a column that is let go swing to twice its weight?",
 )
-.ladder(Ladder::cells(
-    "column",
-    "H/h",
-    HEIGHT,
-    &[16, 32, 64],
-    &[16, 32, 64, 128],
-))
+.ladder(cells_over(&[16, 32, 64], &[16, 32, 64, 128]))
 .method(|_| Settings::new(Method::DEFAULT).courant(COURANT))
 .scene(scene)
 .displacements()
@@ -74,13 +68,7 @@ pub static SUDDEN_WEIGHT: Case = Case::new(
 )])
 .wrong_references(&[WRONG_GRAVITY, WRONG_SPEED])
 .studies(&[Plan::new(
-    Ladder::cells(
-        "column",
-        "H/h",
-        HEIGHT,
-        &[16, 32, 64],
-        &[16, 32, 64, 128, 256],
-    ),
+    cells_over(&[16, 32, 64], &[16, 32, 64, 128, 256]),
     &[
         Measure::new("displacement", DISPLACEMENT),
         Measure::new("stress", STRESS),
@@ -88,6 +76,10 @@ pub static SUDDEN_WEIGHT: Case = Case::new(
     1,
 )])
 .guest(guest);
+
+const fn cells_over(short: &'static [u32], full: &'static [u32]) -> Ladder {
+    Ladder::cells("column", "H/h", HEIGHT, short, full)
+}
 
 /// Observations at one time.
 #[derive(Clone, Copy, Debug)]
@@ -161,11 +153,10 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
     let (h, exact) = (rung.cell, exact(Reference::CORRECT));
     let mut mesh = strip(h, [1, cells(HEIGHT, h) + AIR]);
     mesh.planes[1][1] = PlaneCondition::Free;
+    // Half the period is a whole number of steps.
+    let (time_step, _) = settings.equal_steps(0.5 * exact.period(), h, exact.wave_speed);
     settings.applied(Scene {
-        // Half the period is a whole number of steps.
-        time_step: settings
-            .equal_steps(0.5 * exact.period(), h, exact.wave_speed)
-            .0,
+        time_step,
         gravity: [0.0, -exact.gravity, 0.0],
         materials: elastic(DENSITY, YOUNG, POISSON),
         bodies: vec![body("column", 1, rectangle([0.0; 2], [h, HEIGHT]))],
@@ -221,18 +212,13 @@ fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
         Quantity::compared(TOP, middle.top, 2.0 * exact.at_rest(HEIGHT), "m"),
         Quantity::of_zero(BACK, back.top / middle.top),
     ];
+    let scale = STRAIN * modulus();
     let points = seen.iter().map(|s| {
-        CurvePoint::new(
-            s.time * of_scene.wave_speed / HEIGHT,
-            s.base / (STRAIN * modulus()),
-            pressure(s.time) / (STRAIN * modulus()),
-        )
+        let at = s.time * of_scene.wave_speed / HEIGHT;
+        CurvePoint::new(at, s.base / scale, pressure(s.time) / scale)
     });
-    let curve = Curve::new(
-        format!("pressure on the base over time, {}", rung.label),
-        ["c t / H", "pressure / (rho g H)"],
-        points,
-    );
+    let title = format!("pressure on the base over time, {}", rung.label);
+    let curve = Curve::new(title, ["c t / H", "pressure / (rho g H)"], points);
     Ok(Measurements::of(quantities).drawn(curve))
 }
 

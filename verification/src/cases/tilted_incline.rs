@@ -26,7 +26,6 @@ use super::vocabulary::incline::{
 };
 use crate::exact::sliding::Slope;
 use frame::Frame;
-use proctor_files::stl::parse;
 
 const TILT: f64 = 30.0; // Angle of the plane with the horizontal [degrees]
 const GRAVITY: f64 = 10.0; // Acceleration of gravity [m/s²]
@@ -75,7 +74,7 @@ const WRONG_PULL: Wrong = Wrong::factor("pull", 1.02)
 /// The block on a tilted plane.
 pub static TILTED_INCLINE: Case = Case::new("tilted-incline", "Does a block slide on an STL plane tilted against the mesh as Coulomb's law says, and stick where it should?")
     .ladder(Ladder::made(rungs))
-    .method(method)
+    .method(|rung| Settings::new(Method::DEFAULT.with_scheme(rung.problem::<Problem>().scheme)).courant(COURANT))
     .scene_by(scene)
     .options(options)
     .run(compare)
@@ -97,7 +96,7 @@ pub static TILTED_INCLINE: Case = Case::new("tilted-incline", "Does a block slid
         )
         .on(|rung| slides(rung) || sticks(rung)),
 ])
-.judge_by(lines)
+.line_of_each(line)
     .wrong_references(&[WRONG_PULL])
     .studies(&[Plan::new(Ladder::made(path), &[
         Measure::new("displacement", WAY),
@@ -126,7 +125,7 @@ fn released_at_once(rung: &Rung) -> Guest {
     scene.bodies = pieces.collect();
     let material = &scene.materials[0];
     let step = guest::COURANT * h / material.law.wave_speed(material.density);
-    let (slope, speed) = (exact(&problem), shear_wave_speed(problem.young));
+    let (slope, speed) = (exact(&problem), shear_speed(problem.young));
     let down = frame.down;
     let slid = move |_: &Vector, t| {
         let way = slope.elastic_displacement(t, HEIGHT, speed);
@@ -190,36 +189,29 @@ const VARIANTS: [(&str, StressScheme, bool); 6] = [
     ("turned MUSL", StressScheme::Musl, true),
 ];
 
-/// Shear wave speed \[m/s\].
-fn shear_wave_speed(young: f64) -> f64 {
-    (young / (2.0 * (1.0 + POISSON)) / DENSITY).sqrt()
+/// Speed of shear waves \[m/s\].
+fn shear_speed(young: f64) -> f64 {
+    s_wave_speed(young, POISSON, DENSITY)
 }
 
 /// All rungs of a size with their problems.
 fn rungs(size: Size) -> Vec<Rung> {
     const ALL: &[f64] = &[0.0, 0.1, 0.2, 0.3, 0.4, STUDIED];
     // The friction closest to sticking is the hardest: it alone where a run takes long.
+    const WHOLE: [Group; 3] = [
+        (0.25, false, ALL),
+        (0.125, false, &[STUDIED]),
+        (0.25, true, &[STUDIED]),
+    ];
     let (young, soft, groups): (f64, &str, &[Group]) = match size {
         Size::Quick => (SOFT, " soft", &[(0.25, false, &[0.0, STUDIED])]),
-        Size::Full => (
-            STIFF,
-            "",
-            &[
-                (0.25, false, ALL),
-                (0.125, false, &[STUDIED]),
-                (0.25, true, &[STUDIED]),
-            ],
-        ),
+        Size::Full => (STIFF, "", &WHOLE),
     };
     let mut all = vec![];
     for &(h, turned, frictions) in groups {
         for (variant, scheme, _) in VARIANTS.into_iter().filter(|v| v.2 == turned) {
             let mut add = |kind: Kind, friction: f64, word: &str| {
-                let rung = Rung::labelled(
-                    format!("{variant} h={h} mu={friction}{word}{soft}"),
-                    variant,
-                    h,
-                );
+                let label = format!("{variant} h={h} mu={friction}{word}{soft}");
                 let problem = Problem {
                     kind,
                     scheme,
@@ -227,7 +219,7 @@ fn rungs(size: Size) -> Vec<Rung> {
                     friction,
                     young,
                 };
-                all.push(rung.with(problem));
+                all.push(Rung::labelled(label, variant, h).with(problem));
             };
             for &friction in frictions {
                 add(Kind::Slide, friction, "");
@@ -258,14 +250,9 @@ fn path(size: Size) -> Vec<Rung> {
         friction: STUDIED,
         young,
     };
-    let rung = |&h: &f64| {
-        Rung::labelled(
-            format!("{variant} h={h} mu={STUDIED} E={young:e}"),
-            variant,
-            h,
-        )
-    };
-    cells.iter().map(|h| rung(h).with(problem)).collect()
+    let label = |h: f64| format!("{variant} h={h} mu={STUDIED} E={young:e}");
+    let rung = |&h: &f64| Rung::labelled(label(h), variant, h).with(problem);
+    cells.iter().map(rung).collect()
 }
 
 /// The exact motion.
@@ -309,7 +296,7 @@ fn quantities(track: &Track, deepest: f64, sideways: f64, problem: &Problem) -> 
     } else {
         // A block that is pulled from rest is compared with the elastic one.
         let way = if problem.kind == Kind::Pulled {
-            exact.elastic_displacement(end, HEIGHT, shear_wave_speed(problem.young))
+            exact.elastic_displacement(end, HEIGHT, shear_speed(problem.young))
         } else {
             exact.displacement(end)
         };
@@ -322,41 +309,26 @@ fn quantities(track: &Track, deepest: f64, sideways: f64, problem: &Problem) -> 
     all
 }
 
-fn kind(rung: &Rung) -> Kind {
-    rung.problem::<Problem>().kind
-}
-
 fn slides(rung: &Rung) -> bool {
-    kind(rung) == Kind::Slide
+    rung.problem::<Problem>().kind == Kind::Slide
 }
 
 fn sticks(rung: &Rung) -> bool {
-    kind(rung) == Kind::Stick
+    rung.problem::<Problem>().kind == Kind::Stick
 }
 
 /// Blocks that are pulled from rest, and those without a share of PIC.
-fn lines(runs: &Runs<'_>) -> Verdict {
-    let mut verdict = Verdict::default();
-    for rung in runs
-        .rungs
-        .iter()
-        .filter(|rung| !slides(rung) && !sticks(rung))
-    {
-        if let Some(s) = runs.run(&rung.label) {
-            let rigid = exact(rung.problem()).displacement(TIME);
-            verdict.for_the_record.push(format!(
-                "{}: displacement off by {:+.2} % from a rigid block, acceleration by {:.2} %",
-                rung.label,
-                100.0 * (s.value(WAY) / rigid - 1.0),
-                100.0 * s.error(ACCELERATION),
-            ));
-        }
-    }
-    verdict
-}
-
-fn method(rung: &Rung) -> Settings {
-    Settings::new(Method::DEFAULT.with_scheme(rung.problem::<Problem>().scheme)).courant(COURANT)
+fn line(rung: &Rung, run: &RungResult) -> Option<String> {
+    let rigid = exact(rung.problem()).displacement(TIME);
+    let off = 100.0 * (run.value(WAY) / rigid - 1.0);
+    let acceleration = 100.0 * run.error(ACCELERATION);
+    (!slides(rung) && !sticks(rung)).then(|| {
+        let of = "displacement off by";
+        format!(
+            "{}: {of} {off:+.2} % from a rigid block, acceleration by {acceleration:.2} %",
+            rung.label
+        )
+    })
 }
 
 fn scene(rung: &Rung, settings: &Settings, reference: Reference) -> Scene {
@@ -364,27 +336,14 @@ fn scene(rung: &Rung, settings: &Settings, reference: Reference) -> Scene {
     let h = rung.cell;
     let frame = Frame::new(h, problem.turned);
     let mesh = Mesh::new(Dimension::Three, [0.0; 3], [h; 3], frame.cells);
-    let settling = PERIODS * 4.0 * HEIGHT / shear_wave_speed(problem.young);
+    let settling = PERIODS * 4.0 * HEIGHT / shear_speed(problem.young);
     let mut scene = bare_scene("tilted_incline", Dimension::Three, mesh, settling + TIME);
     scene.gravity = [0.0, 0.0, -reference.of(&WRONG_PULL) * GRAVITY];
     scene.materials = elastic(DENSITY, problem.young, POISSON);
-    scene.bodies.push(body(
-        "block",
-        1,
-        Shape::Particles(Arc::new(frame.seeds(h, settings.particles_per_cell))),
-    ));
-    // The text is sound by construction; were it not, a scene without the plane fails every gate.
-    let plane = parse(frame.stl().as_bytes()).ok();
-    scene.surfaces.extend(plane.and_then(|corners| {
-        Some(RigidSurface {
-            name: "incline".to_owned(),
-            surface: Arc::new(Surface::new(&corners).ok()?),
-            friction: problem.friction,
-            distance_threshold: h,
-            penalty_stiffness: None,
-            motion: None,
-        })
-    }));
+    let seeds = Arc::new(frame.seeds(h, settings.particles_per_cell));
+    scene.bodies = vec![body("block", 1, Shape::Particles(seeds))];
+    let plane = stl_surface("incline", frame.stl().as_bytes(), problem.friction, h);
+    scene.surfaces.extend(plane);
     scene.time_step = settings.multiplier();
     settings.apply(&mut scene);
     if settings.method.transfer == TransferKind::Flip && problem.kind != Kind::Undamped {
@@ -399,7 +358,7 @@ fn options(rung: &Rung, _: Reference, options: Options) -> Options {
     let (slope, along) = (exact(&problem), problem.pull_before());
     let (down, out, foot) = (frame.down, frame.out, frame.corner);
     // The weight of what lies above, carried by the plane.
-    let initial = move |x: &Vector| {
+    starting(options, move |x| {
         let height = dot(&std::array::from_fn(|axis| x[axis] - foot[axis]), &out);
         let above = DENSITY * (HEIGHT - height);
         let component = |a: usize, b: usize| {
@@ -410,31 +369,25 @@ fn options(rung: &Rung, _: Reference, options: Options) -> Options {
             stress: pairs.map(|(a, b)| component(a, b)),
             ..AT_REST
         }
-    };
-    Options {
-        initial: Some(Arc::new(initial)),
-        ..options
-    }
+    })
 }
 
 fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
-    let rung = run.rung;
-    let (simulation, observer) = (run.simulation, run.observer);
+    let (rung, simulation, observer) = (run.rung, run.simulation, run.observer);
     let problem = *rung.problem::<Problem>();
-    let frame = Frame::new(rung.cell, problem.turned);
+    let (exact, frame) = (exact(&problem), Frame::new(rung.cell, problem.turned));
     release(&frame, &problem, simulation, observer)?;
-    let weight = GRAVITY * libm::cos(TILT.to_radians());
     let mut deepest = 0.0_f64;
     let directions = [frame.down, frame.out];
     let aside = |simulation: &Simulation| dot(&simulation.center(0).position, &frame.across);
     let begin = aside(simulation);
-    let tracks = follow_along(directions, &[0], weight, simulation, observer, |s| {
+    let tracks = follow_along(directions, &[0], exact.into, simulation, observer, |s| {
         if s.steps().is_multiple_of(50) {
             let gaps = (0..s.particles()).filter_map(|p| s.surface_gap(0, 0, p, 0.0));
             deepest = gaps.fold(deepest, |d, (gap, _)| d.max(-gap / rung.cell));
         }
     })?;
     let quantities = quantities(&tracks[0], deepest, aside(simulation) - begin, &problem);
-    let curve = sliding_curve(&tracks[0], &exact(&problem), &rung.label);
+    let curve = sliding_curve(&tracks[0], &exact, &rung.label);
     Ok(Measurements::of(quantities).drawn(curve))
 }

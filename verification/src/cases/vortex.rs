@@ -35,6 +35,8 @@ const END: f64 = 0.7;
 const COURANT: f64 = 0.3;
 const PARTICLES: usize = 3; // Particles per cell and axis of the large motion
 
+const WAVES: &str =
+    "the bound of the axis-aligned waves with as many cells over half a wave, at order 2";
 const OF_SMALL: &str = "uGIMP in one dimension without crossing: 2.0 in the displacement; stresses 1.0 to 1.8, less 0.1";
 const OF_LARGE: &str =
     "an order of 1 to 2 is expected where a body turns and shears; half of it in stresses";
@@ -53,33 +55,21 @@ pub static VORTEX: Case = Case::new(
 .options(start)
 .compare(compare)
 .gates_of_variants(&[
-    bound(
-        2,
-        "the bound of the axis-aligned waves with as many cells over half a wave, at order 2",
-    )
-    .on(|rung| ["small", "large"].contains(&rung.variant)),
-    order(DISPLACEMENT)
-        .at_least(1.8, OF_SMALL)
-        .on(|rung| rung.variant == "small"),
-    order(STRESS)
-        .at_least(0.9, OF_SMALL)
-        .on(|rung| rung.variant == "small"),
-    order(DISPLACEMENT)
-        .at_least(1.0, OF_LARGE)
-        .on(|rung| rung.variant == "large"),
-    order(STRESS)
-        .at_least(0.5, OF_LARGE)
-        .on(|rung| rung.variant == "large"),
+    bound(2, WAVES).on(|rung| ["small", "large"].contains(&rung.variant)),
+    order(DISPLACEMENT).at_least(1.8, OF_SMALL).of("small"),
+    order(STRESS).at_least(0.9, OF_SMALL).of("small"),
+    order(DISPLACEMENT).at_least(1.0, OF_LARGE).of("large"),
+    order(STRESS).at_least(0.5, OF_LARGE).of("large"),
     bound(
         1,
         "the same with 16 cells over half a wave, and order 1 from there",
     )
-    .on(|rung| rung.variant == "large cpGIMP"),
+    .of("large cpGIMP"),
     bound(
         0,
         "the same with 16 cells over half a wave: a load that jumps stalls there",
     )
-    .on(|rung| rung.variant == "published"),
+    .of("published"),
 ])
 .judge_by(judge)
 .wrong_references(&[WRONG_ANGLE])
@@ -117,8 +107,7 @@ fn swirling(rung: &Rung) -> Guest {
 /// The square between rollers, which the swirl does not feel.
 fn swirl_scene(rung: &Rung, settings: &Settings) -> Scene {
     let (h, side) = (rung.cell, SWIRL.side);
-    let count = cells(side, h);
-    let mesh = Mesh::new(Dimension::Two, [0.0; 3], [h; 3], [count, count, 1]);
+    let mesh = strip(h, [cells(side, h); 2]);
     let end = PHASE * PI / SWIRL.angular_frequency();
     settings.applied(Scene {
         materials: material("neo-Hookean", DENSITY, LAW),
@@ -159,11 +148,8 @@ fn rungs(size: Size) -> Vec<Rung> {
 }
 
 fn angle(rung: &Rung) -> f64 {
-    if rung.variant.starts_with("large") {
-        LARGE
-    } else {
-        SMALL
-    }
+    let large = rung.variant.starts_with("large");
+    if large { LARGE } else { SMALL }
 }
 
 fn method(rung: &Rung) -> Settings {
@@ -196,13 +182,8 @@ fn exact(rung: &Rung, factor: f64) -> Exact {
 
 fn scene(rung: &Rung, settings: &Settings) -> Scene {
     let (h, half) = (rung.cell, 0.5 * SIDE);
-    let count = cells(SIDE, h);
-    let mesh = Mesh::new(
-        Dimension::Two,
-        [-half, -half, 0.0],
-        [h; 3],
-        [count, count, 1],
-    );
+    let mut mesh = strip(h, [cells(SIDE, h); 2]);
+    mesh.origin = [-half, -half, 0.0];
     let end = END / (LAW.elasticity().young / DENSITY).sqrt();
     let speed = ((LAW.elasticity().lambda + 2.0 * LAW.elasticity().shear) / DENSITY).sqrt();
     settings.applied(Scene {
@@ -247,15 +228,13 @@ fn judge(runs: &Runs<'_>) -> Verdict {
     let mut verdict = Verdict::default();
     for variant in runs.variants() {
         let table = runs.table(Some(variant), &[DISPLACEMENT, STRESS]);
-        let own = || runs.rungs.iter().filter(|rung| rung.variant == variant);
-        let order = table.order(0, own().count() - 1);
+        let order = table.order(0, runs.of(variant).count() - 1);
         if let (Some(order), "large cpGIMP" | "published") = (order, variant) {
             let line = format!("{variant}: observed order of L2(u) {order:.2}, not judged");
             verdict.for_the_record.push(line);
         }
-        let method = own()
-            .next()
-            .map_or(Method::DEFAULT, |rung| method(rung).method);
+        let first = runs.of(variant).next();
+        let method = first.map_or(Method::DEFAULT, |rung| method(rung).method);
         let title = format!("vortex, {variant}, {method}, c dt/h = 0.3");
         verdict.tables.push((title, table));
     }

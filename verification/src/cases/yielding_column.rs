@@ -54,7 +54,7 @@ pub static YIELDING_COLUMN: Case = Case::new("yielding-column", "Does a column t
     .scene(scene)
     .displacements()
 .residual()
-.compare_after(|run| settle(run.rung, run.simulation, run.observer), compare)
+.compare_after(settle, compare)
     .gates_of_variants(&[
     error(VERTICAL).at_most(5e-3, "half a percent: it is the weight above, whatever the law"),
     error(LATERAL).at_most(1e-2, "one percent: it is on the yield surface"),
@@ -114,22 +114,18 @@ fn damping(rung: &Rung) -> Damping {
 }
 
 /// Lets gravity rise, as 10 s³ - 15 s⁴ + 6 s⁵, and the column come to rest.
-fn settle(
-    rung: &Rung,
-    simulation: &mut Simulation,
-    observer: &mut dyn Observer,
-) -> Result<(), Failure> {
-    let rise = rise(rung);
-    observer.phase(Phase::Stepping);
+fn settle(run: &mut Run<'_>) -> Result<(), Failure> {
+    let (rise, simulation) = (rise(run.rung), &mut *run.simulation);
+    run.observer.phase(Phase::Stepping);
     while simulation.time() < rise {
         let [share, _] = smooth(simulation.time() / rise);
         simulation.set_gravity([0.0, -share * GRAVITY, 0.0])?;
-        step(simulation, rise, observer)?;
+        step(simulation, rise, run.observer)?;
     }
     simulation.set_gravity([0.0, -GRAVITY, 0.0])?;
-    let weight = DENSITY * GRAVITY * HEIGHT * WIDTH as f64 * rung.cell;
-    let most = most_steps(&settings(), HEIGHT / rung.cell);
-    relax(simulation, weight, RESIDUAL, most, observer)?;
+    let weight = DENSITY * GRAVITY * HEIGHT * WIDTH as f64 * run.rung.cell;
+    let most = most_steps(&settings(), HEIGHT / run.rung.cell);
+    relax(simulation, weight, RESIDUAL, most, run.observer)?;
     Ok(())
 }
 
@@ -150,12 +146,9 @@ fn settlement(simulation: &Simulation) -> Result<f64, Failure> {
     }
 }
 
-fn found(
-    reference: Reference,
-    rung: &Rung,
-    simulation: &Simulation,
-) -> Result<Measurements, Failure> {
-    let (exact, set) = (exact(reference, rung), &simulation.sets()[0]);
+fn compare(run: &mut Run<'_>) -> Result<Measurements, Failure> {
+    let (rung, simulation) = (run.rung, &*run.simulation);
+    let (exact, set) = (exact(run.reference, rung), &simulation.sets()[0]);
     let displacement = l2(simulation, |p, x| {
         let u = [0.0, exact.displacement(x[1]), 0.0];
         Some((simulation.displacement(0, p)?, u))
@@ -167,24 +160,16 @@ fn found(
         let s = set.stress(p);
         let s_exact = -exact.lateral_compression(x[1]);
         let yields = exact.compression(x[1]) > exact.solid.limit;
-        let compared = ([s[0], s[2]], [s_exact; 2]);
-        Some(if yields {
-            compared
-        } else {
-            ([0.0; 2], [0.0; 2])
-        })
+        let pair = ([s[0], s[2]], [s_exact; 2]);
+        Some(if yields { pair } else { Default::default() })
     });
     let plastic = exact.plastic_work() * WIDTH as f64 * rung.cell;
+    let sunk = settlement(simulation)?;
     let quantities = vec![
         ratio(DISPLACEMENT, displacement),
         ratio(VERTICAL, vertical),
         ratio(LATERAL, lateral),
-        Quantity::compared(
-            SETTLEMENT,
-            settlement(simulation)?,
-            -exact.displacement(HEIGHT),
-            "m",
-        ),
+        Quantity::compared(SETTLEMENT, sunk, -exact.displacement(HEIGHT), "m"),
         Quantity::compared(PLASTIC, simulation.plastic_work(), plastic, "J"),
     ];
     Ok(Measurements::of(quantities).drawn(curve(simulation, &exact, rung)))
@@ -196,17 +181,14 @@ fn curve(simulation: &Simulation, exact: &Exact, rung: &Rung) -> Option<Curve> {
     let points = along(simulation, 1, |p, y| {
         [-set.stress(p)[0] / 1e3, exact.lateral_compression(y) / 1e3]
     })?;
-    Some(Curve::new(
-        format!("lateral compression over the column, {}", rung.label),
-        ["initial height (m)", "lateral compression (kPa)"],
-        points,
-    ))
+    let title = format!("lateral compression over the column, {}", rung.label);
+    let names = ["initial height (m)", "lateral compression (kPa)"];
+    Some(Curve::new(title, names, points))
 }
 
 fn scene(rung: &Rung, _: &Settings) -> Scene {
     let h = rung.cell;
-    let cells = (HEIGHT / h).round() as usize;
-    let mut mesh = Mesh::new(Dimension::Two, [0.0; 3], [h; 3], [WIDTH, cells + AIR, 1]);
+    let mut mesh = strip(h, [WIDTH, cells(HEIGHT, h) + AIR]);
     mesh.planes[1][1] = PlaneCondition::Free;
     let mut scene = plane_scene("yielding_column", mesh, rise(rung));
     scene.gravity = [0.0, -GRAVITY, 0.0];
@@ -218,8 +200,4 @@ fn scene(rung: &Rung, _: &Settings) -> Scene {
     scene.bodies = vec![body("column", 1, column)];
     settings().apply(&mut scene);
     scene
-}
-
-fn compare(run: &mut Run<'_>) -> Result<Measurements, Failure> {
-    found(run.reference, run.rung, run.simulation)
 }

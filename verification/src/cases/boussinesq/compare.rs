@@ -24,13 +24,6 @@ struct Sample {
     stress: [f64; 6],
 }
 
-impl Sample {
-    /// True if it is at a distance of at least `radius` (m) from the middle of the load.
-    fn is_outside(&self, radius: f64) -> bool {
-        is_outside(&self.x, radius)
-    }
-}
-
 /// True if a place (m) is at a distance of at least `radius` (m) from the middle of the load.
 pub fn is_outside(x: &[f64; 3], radius: f64) -> bool {
     let r2 = (x[0] - MIDDLE).powi(2) + (x[1] - MIDDLE).powi(2) + (x[2] - SIDE).powi(2);
@@ -40,37 +33,34 @@ pub fn is_outside(x: &[f64; 3], radius: f64) -> bool {
 impl Comparison {
     /// Compares all particles; `None` if the simulation kept no displacements.
     pub fn new(simulation: &Simulation, exact: &BoxSolution) -> Option<Self> {
-        let particles = simulation.sets()[0].len();
-        let x: Vec<[f64; 3]> = (0..particles)
-            .map(|p| simulation.initial_position(0, p))
-            .collect::<Option<_>>()?;
-        let samples = exact
-            .displacement_many(&x)
-            .into_iter()
-            .enumerate()
-            .map(|(p, exact)| {
-                Some(Sample {
-                    x: x[p],
-                    volume: simulation.particle_volume(0, p),
-                    computed: simulation.displacement(0, p)?,
-                    exact,
-                    stress: simulation.sets()[0].stress(p),
-                })
+        let starts = (0..simulation.particles()).map(|p| simulation.initial_position(0, p));
+        let x: Vec<[f64; 3]> = starts.collect::<Option<_>>()?;
+        let exact = exact.displacement_many(&x).into_iter().enumerate();
+        let sample = |(p, exact): (usize, [f64; 3])| {
+            Some(Sample {
+                x: x[p],
+                volume: simulation.particle_volume(0, p),
+                computed: simulation.displacement(0, p)?,
+                exact,
+                stress: simulation.sets()[0].stress(p),
             })
-            .collect::<Option<_>>()?;
+        };
         Some(Self {
-            samples,
+            samples: exact.map(sample).collect::<Option<_>>()?,
             cell: simulation.scene().mesh.cell[0],
         })
+    }
+
+    /// Particles at a distance of at least `radius` (m) from the middle of the load.
+    fn outside(&self, radius: f64) -> impl Iterator<Item = &Sample> {
+        (self.samples.iter()).filter(move |s| is_outside(&s.x, radius))
     }
 
     /// Relative L2 error of the displacement, volume-weighted, at a distance of at least `radius` (m) from the
     /// middle of the load.
     pub fn l2_outside(&self, radius: f64) -> Option<f64> {
         relative_l2(
-            self.samples
-                .iter()
-                .filter(|s| s.is_outside(radius))
+            self.outside(radius)
                 .map(|s| (s.volume, s.computed, s.exact)),
         )
     }
@@ -78,22 +68,13 @@ impl Comparison {
     /// Relative L2 error of the stress (xx, yy, zz, yz, xz, xy), volume-weighted, at a distance of at least `radius`
     /// (m) from the middle of the load; `None` if a particle lies where the exact stress is not known.
     pub fn stress_l2_outside(&self, radius: f64, exact: &BoxSolution) -> Option<f64> {
-        let far: Vec<&Sample> = self
-            .samples
-            .iter()
-            .filter(|s| s.is_outside(radius))
-            .collect();
-        let points: Vec<[f64; 3]> = far.iter().map(|s| s.x).collect();
-        let samples: Vec<_> = exact
-            .stress_many(&points)
-            .into_iter()
-            .zip(far)
-            .map(|(exact, s)| {
-                let [xx, yy, zz, xy, yz, xz] = exact?;
-                Some((s.volume, s.stress, [xx, yy, zz, yz, xz, xy]))
-            })
-            .collect::<Option<_>>()?;
-        relative_l2(samples)
+        let points: Vec<[f64; 3]> = self.outside(radius).map(|s| s.x).collect();
+        let exact = exact.stress_many(&points).into_iter();
+        let samples = exact.zip(self.outside(radius)).map(|(exact, s)| {
+            let [xx, yy, zz, xy, yz, xz] = exact?;
+            Some((s.volume, s.stress, [xx, yy, zz, yz, xz, xy]))
+        });
+        relative_l2(samples.collect::<Option<Vec<_>>>()?)
     }
 
     /// Mean `u_z` (m) of the particles within a cell of `point` in every direction, computed and exact.
@@ -123,21 +104,13 @@ impl Comparison {
         (computed / count, exact / count)
     }
 
-    /// Particles nearest to the axis, from the base up.
-    fn axis(&self) -> Vec<&Sample> {
+    /// `u_z` along the particles nearest to the axis, from the base up.
+    pub fn curve(&self, title: String) -> Curve {
         let near = |s: &&Sample| (0..2).all(|i| s.x[i] - MIDDLE < 0.5 * self.cell);
         let mut axis: Vec<&Sample> = self.samples.iter().filter(near).collect();
         axis.sort_by(|a, b| a.x[2].total_cmp(&b.x[2]));
-        axis
-    }
-
-    /// `u_z` along the particles nearest to the axis.
-    pub fn curve(&self, title: String) -> Curve {
-        let points: Vec<_> = self
-            .axis()
-            .iter()
-            .map(|s| CurvePoint::new(s.x[2], s.computed[2], s.exact[2]))
-            .collect();
+        let points = axis.iter();
+        let points = points.map(|s| CurvePoint::new(s.x[2], s.computed[2], s.exact[2]));
         Curve::new(title, ["z (m)", "u_z (m)"], points)
     }
 }

@@ -52,8 +52,7 @@ impl Loading {
 
 /// Speed of compression waves \[m/s\].
 pub fn wave_speed() -> f64 {
-    let modulus = YOUNG * (1.0 - POISSON) / ((1.0 + POISSON) * (1.0 - 2.0 * POISSON));
-    (modulus / DENSITY).sqrt()
+    p_wave_speed(YOUNG, POISSON, DENSITY)
 }
 
 /// The quarter `[0.5, 1]² x [0, 1]` of the cube in cells of `h` (m), with one layer of empty cells above.
@@ -63,41 +62,29 @@ pub fn scene(h: f64, loading: Loading) -> Scene {
 
 /// The same quarter of a cube with another side \[m\].
 pub fn scene_of_side(side: f64, h: f64, loading: Loading) -> Scene {
-    let middle = 0.5 * side;
-    let cells = (side / h).round() as usize;
-    let mut mesh = Mesh::new(
-        Dimension::Three,
-        [middle, middle, 0.0],
-        [h; 3],
-        [cells / 2, cells / 2, cells + 1],
-    );
+    let (middle, count) = (0.5 * side, cells(side, h));
+    let (corner, top) = ([middle, middle, 0.0], [middle, middle, side]);
+    let counts = [count / 2, count / 2, count + 1];
+    let mut mesh = Mesh::new(Dimension::Three, corner, [h; 3], counts);
     mesh.planes[2][1] = PlaneCondition::Free;
     // The end of a relaxation is the rest, not a time.
-    let mut scene = Scene::new(Dimension::Three, mesh, 1.0);
-    scene.name = format!("boussinesq_{}", loading.word());
+    let name = format!("boussinesq_{}", loading.word());
+    let mut scene = bare_scene(&name, Dimension::Three, mesh, 1.0);
     scene.scheme = StressScheme::Usl;
     scene.damping = Damping::Kinetic;
-    scene.results = NO_RESULTS;
     scene.materials = elastic(DENSITY, YOUNG, POISSON);
-    scene.bodies = vec![body(
-        "quarter box",
-        1,
-        cuboid([middle, middle, 0.0], [side; 3]),
-    )];
+    scene.bodies = vec![body("quarter box", 1, cuboid(corner, [side; 3]))];
+    let far = middle + 0.5 * PATCH;
     match loading {
-        Loading::Node => {
-            scene.point_loads = vec![PointLoad {
-                position: [middle, middle, side],
-                force: [0.0, 0.0, -QUARTER_LOAD],
-            }];
-        }
-        Loading::Patch => {
-            scene.tractions = vec![Traction {
-                p1: [middle, middle, side],
-                p2: [middle + 0.5 * PATCH, middle + 0.5 * PATCH, side],
-                traction: [0.0, 0.0, -LOAD / (PATCH * PATCH)].into(),
-            }];
-        }
+        Loading::Node => scene.point_loads.push(PointLoad {
+            position: top,
+            force: [0.0, 0.0, -QUARTER_LOAD],
+        }),
+        Loading::Patch => scene.tractions.push(Traction {
+            p1: top,
+            p2: [far, far, side],
+            traction: [0.0, 0.0, -LOAD / (PATCH * PATCH)].into(),
+        }),
     }
     scene
 }

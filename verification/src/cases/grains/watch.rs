@@ -3,6 +3,7 @@
 use super::apart::{self, Polyline, Room};
 use super::{FLOOR, GAP, PLATE, SPEED, WALLS};
 use crate::cases::prelude::*;
+use crate::cases::vocabulary::incline::fitted_slope;
 
 const SAMPLES: usize = 245; // Samples of a run
 
@@ -121,29 +122,20 @@ impl Watch {
         let left: [f64; 2] = std::array::from_fn(|axis| {
             p[axis] - self.plate[axis] - self.others[axis] - self.damping[axis]
         });
-        let tenth = self.samples.len() / 10;
-        let last = &self.samples[self.samples.len() - tenth..];
+        let (all, tenth) = (&self.samples[..], self.samples.len() / 10);
+        let (half, last) = (&all[..all.len() / 2], &all[all.len() - tenth..]);
         let mean = |of: fn(&Sample) -> f64| last.iter().map(of).sum::<f64>() / tenth as f64;
         // Forces on the grains: the plate pushes down, floor and damping up.
-        let (plate, floor, damping) = (
-            -mean(|s| s.plate[1]),
-            mean(|s| s.floor),
-            mean(|s| s.damping),
-        );
-        let half = &self.samples[..self.samples.len() / 2];
-        let largest = self.samples.iter().map(|s| -s.plate[1]);
-        let largest = largest.fold(0.0, f64::max);
-        let sideways = self.samples.iter().map(|s| s.plate[0]).sum::<f64>();
-        let sideways = sideways / self.samples.len() as f64;
+        let plate = -mean(|s| s.plate[1]);
+        let (floor, damping) = (mean(|s| s.floor), mean(|s| s.damping));
+        let largest = all.iter().map(|s| -s.plate[1]).fold(0.0, f64::max);
+        let sideways = all.iter().map(|s| s.plate[0]).sum::<f64>() / all.len() as f64;
+        let unaccounted = libm::hypot(left[0], left[1]) / self.plate[1].abs();
         let (balance, figure) = (Quantity::balance, Quantity::figure);
         vec![
             balance(INSIDE, self.inside as f64, "1"),
             balance(BEYOND, self.beyond as f64, "1"),
-            balance(
-                MOMENTUM,
-                libm::hypot(left[0], left[1]) / self.plate[1].abs(),
-                "1",
-            ),
+            balance(MOMENTUM, unaccounted, "1"),
             balance(BALANCE, (plate - floor - damping).abs() / plate, "1"),
             balance(GAINED, self.gained / self.work, "1"),
             figure(SMALLEST, self.smallest / GAP, "1"),
@@ -158,15 +150,8 @@ impl Watch {
 
 /// Slope of the plate's force over its way \[N/m\], by least squares.
 fn slope(samples: &[Sample]) -> f64 {
-    let n = samples.len() as f64;
-    let x = samples.iter().map(|s| s.way).sum::<f64>() / n;
-    let y = samples.iter().map(|s| -s.plate[1]).sum::<f64>() / n;
-    let (mut product, mut square) = (0.0, 0.0);
-    for s in samples {
-        product += (s.way - x) * (-s.plate[1] - y);
-        square += (s.way - x).powi(2);
-    }
-    product / square
+    let points = samples.iter().map(|s| [s.way, -s.plate[1]]);
+    fitted_slope(&points.collect::<Vec<_>>())
 }
 
 /// Grains, and the room between the rigid lines, as they are now.
@@ -191,18 +176,12 @@ fn drawing(simulation: &Simulation) -> Drawing {
         let vertices = simulation.boundary_vertices(id)?;
         Some(vertices.iter().map(|x| [x[0], x[1]]).collect())
     };
+    let (name, time) = (&simulation.scene().name, simulation.time());
+    let grains = 1..=simulation.sets().len() as i64;
+    let lines = [PLATE, FLOOR, WALLS[0], WALLS[1]].into_iter();
     Drawing {
-        title: format!(
-            "{}: grains at t = {:.1} s",
-            simulation.scene().name,
-            simulation.time()
-        ),
-        bodies: (1..=simulation.sets().len() as i64)
-            .filter_map(of)
-            .collect(),
-        lines: [PLATE, FLOOR, WALLS[0], WALLS[1]]
-            .into_iter()
-            .filter_map(of)
-            .collect(),
+        title: format!("{name}: grains at t = {time:.1} s"),
+        bodies: grains.filter_map(of).collect(),
+        lines: lines.filter_map(of).collect(),
     }
 }

@@ -65,38 +65,31 @@ pub fn reference(factor: f64) -> Result<Vec<f64>, String> {
     Ok(known.iter().map(|force| force * factor).collect())
 }
 
-/// The error of vertical forces against the reference.
-pub fn quantities(forces: &[[f64; 2]], known: &[f64]) -> Vec<Quantity> {
-    let (mut left, mut all) = (0.0, 0.0);
-    for (force, exact) in forces.iter().zip(known) {
-        left += (force[1] - exact).powi(2);
-        all += exact * exact;
-    }
-    vec![Quantity::of_zero(HISTORY, (left / all).sqrt())]
-}
-
-/// Both forces over time.
-pub fn curve(label: &str, forces: &[[f64; 2]], known: &[f64]) -> Curve {
-    let pairs = forces.iter().zip(known).enumerate();
-    Curve::new(
-        format!("{label}: vertical force against finite elements"),
-        ["t in s", "force on the indenter in N"],
-        pairs.map(|(k, (force, exact))| {
-            CurvePoint::new((k + 1) as f64 * INTERVAL, force[1], *exact)
-        }),
-    )
+/// The error of vertical forces against the reference, and both over time.
+pub fn compare(label: &str, forces: &[[f64; 2]], known: &[f64]) -> Result<Measurements, Failure> {
+    let pairs = || forces.iter().zip(known);
+    let error = relative_l2(pairs().map(|(force, exact)| (1.0, [force[1]], [*exact])));
+    let points = pairs()
+        .enumerate()
+        .map(|(k, (force, exact))| CurvePoint::new((k + 1) as f64 * INTERVAL, force[1], *exact));
+    let title = format!("{label}: vertical force against finite elements");
+    let curve = Curve::new(title, ["t in s", "force on the indenter in N"], points);
+    Ok(Measurements::of([ratio(HISTORY, error)]).drawn(curve))
 }
 
 /// The force within what the figures of the whole way are held to, and half of it on the next mesh.
 pub fn gates(runs: &Runs<'_>) -> Vec<Gate> {
-    let own = runs.rungs.iter().filter(|rung| rung.variant == VARIANT);
-    let judged = own.filter_map(|rung| {
-        let bound = [(CELL, 0.05), (0.5 * CELL, 0.025)];
-        let bound = bound.iter().find(|(cell, _)| *cell == rung.cell)?.1;
-        let error = runs.error(&rung.label, HISTORY);
+    let reason = "5 % at the paper's cells, first order as in the other cases of contact";
+    let judged = |rung: &Rung| {
+        let bounds = [(CELL, 0.05), (0.5 * CELL, 0.025)];
+        let bound = bounds.iter().find(|(cell, _)| *cell == rung.cell)?.1;
         let name = format!("{}: error of {HISTORY}", rung.label);
-        let reason = "5 % at the paper's cells, first order as in the other cases of contact";
-        Some(Gate::at_most(name, error, bound, reason))
-    });
-    judged.collect()
+        Some(Gate::at_most(
+            name,
+            runs.error(&rung.label, HISTORY),
+            bound,
+            reason,
+        ))
+    };
+    runs.of(VARIANT).filter_map(judged).collect()
 }

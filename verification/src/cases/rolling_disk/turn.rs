@@ -100,33 +100,33 @@ fn flattening() -> f64 {
 
 /// Largest relative error of the ratio on a mesh, and why.
 pub(super) fn bound(rung: &Rung) -> (f64, &'static str) {
-    if rung.variant == "slip" {
-        let cell = rung.cell / RADIUS;
-        // Mass on nodes has h²/6 more than its particles of the second moment along each axis (linear weights).
-        let inertia = 2.0 / 3.0 * cell * cell;
-        (
-            flattening() + BESIDE / friction(rung.variant) * cell + inertia,
-            "the arm of the friction is shorter by the flattening, the pressure lies beside the middle by 0.015 h at most, inertia is larger by 2/3 (h/R)²",
-        )
-    } else {
-        let Ok((rolling, creep)) =
-            rolling(rung.variant).and_then(|r| Ok((r, creep(rung.variant)?)))
-        else {
-            return (f64::NAN, "no reference");
-        };
-        let strain =
-            (1.0 + POISSON) * (1.0 - 2.0 * POISSON) * rolling.mean_pressure() / young(rung.variant);
-        let vertices = (SPACING / rolling.half_width()).powi(2);
-        (
-            strain + creep * vertices,
-            "the rim is shorter where it is pressed, by (1 + nu)(1 - 2 nu) p/E; the creep is summed over a few vertices",
-        )
+    if rung.variant != "slip" {
+        let reason = "the rim is shorter where it is pressed, by (1 + nu)(1 - 2 nu) p/E; the creep is summed over a few vertices";
+        return shortened(rung.variant).map_or((f64::NAN, "no reference"), |bound| (bound, reason));
     }
+    let cell = rung.cell / RADIUS;
+    // Mass on nodes has h²/6 more than its particles of the second moment along each axis (linear weights).
+    let inertia = 2.0 / 3.0 * cell * cell;
+    (
+        flattening() + BESIDE / friction(rung.variant) * cell + inertia,
+        "the arm of the friction is shorter by the flattening, the pressure lies beside the middle by 0.015 h at most, inertia is larger by 2/3 (h/R)²",
+    )
+}
+
+/// How far the ratio of the disk that sticks may be off: by the strain of its rim, and by a creep that is a sum over vertices.
+fn shortened(variant: &str) -> Result<f64, String> {
+    let (rolling, creep) = (rolling(variant)?, creep(variant)?);
+    let strain = (1.0 + POISSON) * (1.0 - 2.0 * POISSON) * rolling.mean_pressure() / young(variant);
+    Ok(strain + creep * (SPACING / rolling.half_width()).powi(2))
 }
 
 /// Gate on the order at which the turn of the disk that slips approaches that of the flattened disk.
-pub(super) fn order(solved: &[(Rung, RungResult)]) -> Gate {
-    let slips: Vec<_> = solved.iter().filter(|(r, _)| r.variant == "slip").collect();
+pub(super) fn order(runs: &Runs<'_>) -> Gate {
+    let slips: Vec<_> = runs
+        .solved
+        .iter()
+        .filter(|(r, _)| r.variant == "slip")
+        .collect();
     let order = match slips[..] {
         [.., (coarse, a), (fine, b)] => {
             let [a, b] = [a, b].map(|s| s.error(RATIO) - flattening());

@@ -30,12 +30,8 @@ impl HeightField {
         };
         for (t, corners) in field.triangles.iter().enumerate() {
             let [first, last] = [f64::min as fn(f64, f64) -> f64, f64::max].map(|pick| {
-                [0, 1].map(|axis| {
-                    field.square(
-                        axis,
-                        pick(pick(corners[0][axis], corners[1][axis]), corners[2][axis]),
-                    )
-                })
+                let of = |axis: usize| corners.map(|x| x[axis]).into_iter().reduce(pick);
+                [0, 1].map(|axis| field.square(axis, of(axis).unwrap_or(f64::NAN)))
             });
             for i in first[0]..=last[0] {
                 for j in first[1]..=last[1] {

@@ -5,15 +5,12 @@
 //! of the scene, so that the force on the base is the weight from the first step on and what is left to judge is friction. An
 //! incline may be tilted before: friction acts and gravity along it grows, so slowly that the blocks do not swing.
 
-use std::sync::Arc;
-
-use proctor_scene::simulation::{InitialState, Options, Simulation};
+use proctor_scene::simulation::{Options, Simulation};
 use proctor_scene::{
-    Contact, ContactNormal, Damping, Dimension, History, Material, Mesh, PlaneCondition, Scene,
-    Vector,
+    Contact, ContactNormal, Damping, Dimension, Mesh, PlaneCondition, Scene, Vector,
 };
 
-use super::parts::{AT_REST, NO_RESULTS, body, cuboid, elastic};
+use super::parts::{AT_REST, bare_scene, body, cuboid, elastic, s_wave_speed, starting};
 use super::stepping::run_until;
 use crate::case::{Curve, CurvePoint, Quantity};
 use crate::exact::sliding::Slope;
@@ -112,33 +109,25 @@ impl Incline {
     pub fn scene(&self, name: &str, time: f64) -> Scene {
         let h = self.cell;
         let cells = |length: f64| (length / h - 1e-9).ceil() as usize;
-        let (long, high) = (
-            cells(self.length),
-            cells(self.base + self.height + self.air),
-        );
+        let long = cells(self.length);
+        let high = cells(self.base + self.height + self.air);
         let counts = match self.dimension {
             Dimension::Two => [long, high, 1],
             Dimension::Three => [long, cells(WIDTH), high],
         };
         let mut mesh = Mesh::new(self.dimension, [0.0; 3], [h; 3], counts);
         mesh.planes[self.up()][1] = PlaneCondition::Free;
-        let settling = if self.held {
-            self.settling() + self.tilting.unwrap_or(0.0)
-        } else {
-            0.0
-        };
-        let mut scene = Scene::new(self.dimension, mesh, settling + time);
-        scene.name = String::from(name);
+        let settled = self.settling() + self.tilting.unwrap_or(0.0);
+        let settling = if self.held { settled } else { 0.0 };
+        let mut scene = bare_scene(name, self.dimension, mesh, settling + time);
         scene.gravity = self.inclined(self.gravity);
-        scene.damping = self
-            .damping
-            .map_or(Damping::None, |alpha| Damping::Local { alpha });
-        scene.results = NO_RESULTS;
-        scene.materials = material();
+        let damped = |alpha| Damping::Local { alpha };
+        scene.damping = self.damping.map_or(Damping::None, damped);
+        scene.materials = elastic(DENSITY, YOUNG, POISSON);
         let far = self.point(self.length, WIDTH, self.base);
         let mut base = body("base", BASE, cuboid([0.0; 3], far));
         if self.held {
-            base.motion = Some(still());
+            base.motion = Some([0.0; 3].into());
         }
         scene.bodies.push(base);
         for (i, block) in self.blocks.iter().enumerate() {
@@ -169,16 +158,13 @@ impl Incline {
         }
         let (up, base, top) = (self.up(), self.base, self.base + self.height);
         let into = self.gravity[1].abs();
-        Options {
-            initial: Some(Arc::new(move |x| {
-                let mut state: InitialState = AT_REST;
-                if x[up] > base {
-                    state.stress[up] = -DENSITY * into * (top - x[up]);
-                }
-                state
-            })),
-            ..options
-        }
+        starting(options, move |x| {
+            let mut state = AT_REST;
+            if x[up] > base {
+                state.stress[up] = -DENSITY * into * (top - x[up]);
+            }
+            state
+        })
     }
 
     /// Settles the blocks of a simulation of this incline where the base is held, and releases them.
@@ -222,20 +208,7 @@ impl Incline {
 
 /// Shear wave speed of the manual's material \[m/s\].
 pub fn shear_wave_speed() -> f64 {
-    (YOUNG / (2.0 * (1.0 + POISSON)) / DENSITY).sqrt()
-}
-
-/// The manual's material.
-fn material() -> Vec<Material> {
-    elastic(DENSITY, YOUNG, POISSON)
-}
-
-/// Velocity zero at all times.
-fn still() -> History {
-    History {
-        times: vec![0.0],
-        values: vec![[0.0; 3]],
-    }
+    s_wave_speed(YOUNG, POISSON, DENSITY)
 }
 
 /// The way of a block after its release.
@@ -303,16 +276,13 @@ pub fn follow_along(
     let [along, out] = directions.map(|d| move |v: &Vector| dot(v, &d));
     let release = simulation.velocity_time();
     let end = simulation.scene().time;
-    let start: Vec<f64> = blocks
+    let start = blocks
         .iter()
-        .map(|&body| along(&simulation.center(body).position))
-        .collect();
+        .map(|&body| along(&simulation.center(body).position));
+    let start: Vec<f64> = start.collect();
     let mut tracks = vec![Track::default(); start.len()];
     run_until(simulation, end, observer, |simulation| {
-        let (t, t_v) = (
-            simulation.time() - release,
-            simulation.velocity_time() - release,
-        );
+        let [t, t_v] = [simulation.time(), simulation.velocity_time()].map(|t| t - release);
         for ((track, &body), start) in tracks.iter_mut().zip(blocks).zip(&start) {
             let center = simulation.center(body);
             let (m, x, v) = (center.mass, center.position, center.velocity);
@@ -351,14 +321,13 @@ pub fn stuck(track: &Track, moved: f64, exact: &Slope, time: f64) -> [Quantity; 
 pub fn sliding_curve(track: &Track, exact: &Slope, label: &str) -> Curve {
     let every = (track.way.len() / POINTS).max(1);
     let points = track.way.iter().skip(every - 1).step_by(every);
-    Curve {
-        title: format!("displacement of the centre of mass, {label}"),
-        abscissa: "time since the release (s)",
-        ordinate: "displacement (m)",
-        points: points
-            .map(|&[t, d]| CurvePoint::new(t, d, exact.displacement(t)))
-            .collect(),
-    }
+    let points = points.map(|&[t, d]| CurvePoint::new(t, d, exact.displacement(t)));
+    let title = format!("displacement of the centre of mass, {label}");
+    Curve::new(
+        title,
+        ["time since the release (s)", "displacement (m)"],
+        points,
+    )
 }
 
 /// Scalar product.

@@ -4,6 +4,7 @@ use proctor_scene::Vector;
 use proctor_scene::simulation::Simulation;
 
 use super::stepping::step;
+use crate::case::{Curve, CurvePoint, Rung};
 use crate::study::{Failure, Observer, Phase};
 
 const REPORT_EVERY: u64 = 20; // Steps between two calls of the progress function
@@ -79,5 +80,19 @@ impl Pressures {
             all += w * exact(*at).powi(2);
         }
         (off / all).sqrt()
+    }
+
+    /// The pressures at the places within a length of zero \[m\], in their order, beside the exact ones.
+    pub fn curve(
+        &self,
+        rung: &Rung,
+        abscissa: &'static str,
+        within: f64,
+        exact: impl Fn(f64) -> f64,
+    ) -> Curve {
+        let near = self.vertices.iter().filter(|[at, ..]| at.abs() < within);
+        let points = near.map(|&[at, p, _]| CurvePoint::new(at, p, exact(at)));
+        let title = format!("{}: contact pressure", rung.label);
+        Curve::new(title, [abscissa, "p in Pa"], points)
     }
 }

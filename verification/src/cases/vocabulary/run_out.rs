@@ -9,9 +9,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use proctor_scene::simulation::Simulation;
 use proctor_scene::{Mesh, Vector};
 
+use super::parts::larger;
 use super::stepping::step;
-use crate::case::gates::Runs;
-use crate::case::{Drawing, Gate, Quantity};
+use crate::case::gates::{GateRule, value};
+use crate::case::{Drawing, Quantity, Rung, RungResult};
 use crate::study::{Failure, Observer, Phase};
 
 const SAMPLES: u32 = 64; // Samples of a run
@@ -50,6 +51,14 @@ pub struct RunOut {
     pub drawing: Drawing,
     /// Books, front and top.
     pub quantities: Vec<Quantity>,
+}
+
+impl RunOut {
+    /// Reach of the heap and its highest point at the end \[m\].
+    pub fn at_last(&self) -> [f64; 2] {
+        let last = self.places.last();
+        last.map_or([f64::NAN; 2], |place| [place.front, place.top])
+    }
 }
 
 /// Runs a scene to its end. The first body is what falls, from a plane on its left and on one below it. The books count
@@ -96,22 +105,17 @@ pub fn run(
     }
     observer.phase(Phase::Comparing);
     let centre = simulation.center(0).position;
-    let off: [f64; 2] =
-        std::array::from_fn(|axis| centre[axis] - start[axis] - carried[axis] / mass);
-    let fell = (start[1] - centre[1]).abs();
-    run.quantities = ledger.quantities(simulation);
-    run.quantities.push(Quantity::balance(
-        ASTRAY,
-        libm::hypot(off[0], off[1]) / fell,
-        "1",
-    ));
+    let [x, y] = [0, 1].map(|axis| centre[axis] - start[axis] - carried[axis] / mass);
+    let astray = libm::hypot(x, y) / (start[1] - centre[1]).abs();
     let lost = (mass - simulation.mass()).abs() / mass;
-    run.quantities.push(Quantity::balance(LOST, lost, "1"));
-    if let Some(last) = run.places.last() {
-        run.quantities
-            .push(Quantity::figure(FRONT, last.front, "m"));
-        run.quantities.push(Quantity::figure(TOP, last.top, "m"));
-    }
+    let [front, top] = run.at_last();
+    run.quantities = ledger.quantities(simulation);
+    run.quantities.extend([
+        Quantity::balance(ASTRAY, astray, "1"),
+        Quantity::balance(LOST, lost, "1"),
+        Quantity::figure(FRONT, front, "m"),
+        Quantity::figure(TOP, top, "m"),
+    ]);
     Ok(run)
 }
 
@@ -132,8 +136,8 @@ impl EnergyLedger {
     fn look(&mut self, simulation: &mut Simulation, work: f64) {
         let energy = simulation.energy();
         let unbooked = energy.remainder - (1.0 - work) * energy.external_work;
-        self.gained = most(self.gained, -unbooked);
-        self.back = most(self.back, self.plastic - energy.plastic);
+        self.gained = larger(self.gained, -unbooked);
+        self.back = larger(self.back, self.plastic - energy.plastic);
         self.plastic = energy.plastic;
         self.fell = energy.external_work;
         self.moving = energy.kinetic;
@@ -142,28 +146,19 @@ impl EnergyLedger {
 
     fn quantities(&self, simulation: &Simulation) -> Vec<Quantity> {
         let share = |energy: f64| energy / self.fell;
-        let mut all = vec![
+        // What has no strength does not come to rest.
+        let rests = simulation.sets()[0].column(STRAIN).is_some();
+        let moving = if rests {
+            Quantity::balance
+        } else {
+            Quantity::figure
+        };
+        vec![
             Quantity::balance(GAINED, share(self.gained), "1"),
             Quantity::balance(BACK, share(self.back), "1"),
             Quantity::figure(UNBOOKED, share(self.unbooked), "1"),
-        ];
-        // What has no strength does not come to rest.
-        let rests = simulation.sets()[0].column(STRAIN).is_some();
-        all.push(if rests {
-            Quantity::balance(MOVING, share(self.moving), "1")
-        } else {
-            Quantity::figure(MOVING, share(self.moving), "1")
-        });
-        all
-    }
-}
-
-/// The larger one; what is no number stays.
-fn most(a: f64, b: f64) -> f64 {
-    if a.is_nan() || b.is_nan() {
-        f64::NAN
-    } else {
-        a.max(b)
+            moving(MOVING, share(self.moving), "1"),
+        ]
     }
 }
 
@@ -295,43 +290,26 @@ pub fn outlines(cells: &BTreeSet<[i64; 2]>) -> Vec<Vec<[i64; 2]>> {
 }
 
 /// Words on a run, after the ending `what`, which judge nothing.
-pub fn said(runs: &Runs<'_>, label: &str, what: &str) -> String {
-    format!(
-        "{label}: {what}; planes and the transfer took {:.0} % of the energy of the fall",
-        100.0 * runs.value(label, UNBOOKED)
-    )
+pub fn said(rung: &Rung, run: &RungResult, what: &str) -> String {
+    let taken = 100.0 * run.value(UNBOOKED);
+    let label = &rung.label;
+    format!("{label}: {what}; planes and the transfer took {taken:.0} % of the energy of the fall")
 }
 
-/// The gates of a run, by the label of its rung: what holds whatever the law. `rests` where it must come to rest.
-pub fn gates(runs: &Runs<'_>, label: &str, rests: bool) -> Vec<Gate> {
-    let at_most = |name: &str, bound: f64, reason: &'static str| {
-        let value = runs.value(label, name);
-        Gate::at_most(format!("{label}: {name}"), value, bound, reason)
-    };
-    let mut gates = vec![
-        at_most(LOST, 0.0, "no particle leaves"),
-        at_most(
-            GAINED,
-            1e-2,
-            "only the fall gives energy; cells that are crossed ring by a share of it",
-        ),
-        at_most(
-            BACK,
-            1e-12,
-            "flow dissipates; round-off of a sum over particles",
-        ),
-        at_most(
-            ASTRAY,
-            1e-9,
-            "the motion of the particles is that of their momentum; round-off of some thousand steps",
-        ),
-    ];
-    if rests {
-        gates.push(at_most(
-            MOVING,
-            1e-3,
-            "elastic ringing within the heap remains",
-        ));
-    }
-    gates
-}
+/// No mass is lost.
+pub const LOSES_NOTHING: GateRule = value(LOST).at_most(0.0, "no particle leaves");
+/// No energy comes from nowhere.
+pub const GAINS_NOTHING: GateRule = value(GAINED).at_most(
+    1e-2,
+    "only the fall gives energy; cells that are crossed ring by a share of it",
+);
+/// No plastic work is given back.
+pub const GIVES_NOTHING_BACK: GateRule =
+    value(BACK).at_most(1e-12, "flow dissipates; round-off of a sum over particles");
+/// The centre of mass goes where its momentum carries it.
+pub const STAYS_ON_ITS_PATH: GateRule = value(ASTRAY).at_most(
+    1e-9,
+    "the motion of the particles is that of their momentum; round-off of some thousand steps",
+);
+/// What has strength comes to rest.
+pub const RESTS: GateRule = value(MOVING).at_most(1e-3, "elastic ringing within the heap remains");
