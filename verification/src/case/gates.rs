@@ -23,7 +23,7 @@ enum Number {
     Value,
     /// Its value over the exact one.
     Share,
-    /// What that share is beyond one.
+    /// The part of that share beyond one.
     Excess,
     /// The largest of its values on all rungs of the variant.
     Worst,

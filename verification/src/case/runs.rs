@@ -38,6 +38,7 @@ impl Runs<'_> {
     }
 
     /// The rungs of a variant, coarse to fine.
+    #[must_use]
     pub fn of<'a>(&'a self, variant: &'a str) -> impl DoubleEndedIterator<Item = &'a Rung> {
         (self.rungs.iter()).filter(move |rung| rung.variant == variant)
     }

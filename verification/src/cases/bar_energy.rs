@@ -24,10 +24,6 @@ const AIR: usize = 4; // Empty cells beyond the free end
 const ENERGY: &str = "energy after ten periods, over the initial"; // Name of the energy at the end
 /// Name of the time that a run with linear functions took to break down.
 const INVERTED: &str = "periods until a particle is inverted or strained too far";
-/// Largest gain or loss of GIMP and B-splines where particles cross cells.
-const LARGE_GATE: f64 = 0.1;
-const SMALL_GATE: f64 = 0.015; // The same of all weighting functions with FLIP at small amplitude
-
 /// Weighting functions and transfers, row by row of the table.
 const WEIGHTINGS: [Weighting; 4] = [
     Weighting::Linear,
@@ -190,9 +186,9 @@ fn judge(runs: &Runs<'_>) -> Verdict {
         );
         let flip = transfer == TransferKind::Flip;
         let judged = match variant {
-            "small" => flip.then_some((SMALL_GATE, "within 1.3 % in one dimension over twenty periods")),
+            "small" => flip.then_some((0.015, "within 1.3 % in one dimension over twenty periods")),
             _ => (!is_linear(&row[0])).then_some((
-                LARGE_GATE,
+                0.1,
                 "FLIP stayed within 9 % in one dimension, and an affine velocity is to take no more",
             )),
         };

@@ -105,21 +105,21 @@ enum Problem {
 }
 
 fn problem(rung: &Rung, settings: &Settings) -> Problem {
-    let column = |dimension, shaking| {
+    let column = |dimension, amplitude, smooth| {
         Problem::Column(Column {
             dimension,
             cell: rung.cell,
-            shaking,
+            shaking: Shaking { amplitude, smooth },
             settings: *settings,
         })
     };
     match rung.variant {
         "text" => Problem::Block(Block::TEXT),
         "input" => Problem::Block(Block::INPUT),
-        "smooth" => column(Dimension::Two, Shaking::smooth(SMALL)),
-        "flip" | "linear" => column(Dimension::Two, Shaking::sine(SMALL)),
-        "p-wave-3d" => column(Dimension::Three, Shaking::sine(AMPLITUDE)),
-        _ => column(Dimension::Two, Shaking::sine(AMPLITUDE)),
+        "smooth" => column(Dimension::Two, SMALL, true),
+        "flip" | "linear" => column(Dimension::Two, SMALL, false),
+        "p-wave-3d" => column(Dimension::Three, AMPLITUDE, false),
+        _ => column(Dimension::Two, AMPLITUDE, false),
     }
 }
 
@@ -173,7 +173,7 @@ fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
     }
 }
 
-/// What is shown and not judged: the manual's lowest particles, FLIP, and the small base.
+/// Numbers that are shown and not judged: the manual's lowest particles, FLIP, and the small base.
 fn lines(runs: &Runs<'_>) -> Verdict {
     let of_block = |variant| {
         let label = format!("manual's {variant}");

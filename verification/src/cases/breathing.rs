@@ -49,16 +49,16 @@ pub static BREATHING: Case = Case::new(
                 "that of the cylinder in a rigid ring at 40 cells",
             ],
         )
-        .on(|rung| rung.variant == CYLINDER),
+        .of(CYLINDER),
     error(FREQUENCY)
         .at_most_of(
             [1e-2, 5e-3],
             ["twice the bound at 40 cells, as order 1 allows", "a tenth of a cell at the surface is 0.25 % of the radius"],
         )
-        .on(|rung| rung.variant == SPHERE),
+        .of(SPHERE),
     order(FREQUENCY)
         .at_least(1.8, "order 2 is expected at small strain, with a surface on nodes")
-        .on(|rung| rung.variant == CYLINDER),
+        .of(CYLINDER),
 ])
 .tables(&[TableRule::new("{variant} that breathes", &[FREQUENCY])])
 .wrong_references(&[WRONG_STIFFNESS.breaks(|gate| gate.contains("error of"))])

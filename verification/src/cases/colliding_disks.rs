@@ -91,29 +91,16 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
     let mesh = open_plane(rung.cell, [-0.6, -0.4], [0.6, 0.4]);
     let [young, poisson] = ELASTICITY;
     let law = NeoHookean::new(young, poisson);
+    let around = |side: f64| ball([side * (0.5 * APART + RADIUS), 0.0, 0.0], RADIUS);
     let disk = |id: i64, side: f64| Body {
         velocity: [-side * SPEED, 0.0, 0.0],
-        ..body(
-            format!("disk {id}"),
-            id,
-            Shape::Sphere {
-                center: [side * (0.5 * APART + RADIUS), 0.0, 0.0],
-                radius: RADIUS,
-            },
-        )
+        ..body(format!("disk {id}"), id, around(side))
     };
     settings.applied(Scene {
         time_step: settings.multiplier(),
         materials: material("rubber", DENSITY, law),
         bodies: vec![disk(1, -1.0), disk(2, 1.0)],
-        contacts: vec![Contact {
-            name: "disk on disk".to_owned(),
-            id: 1,
-            friction: 0.0,
-            master: 1,
-            slave: 2,
-            normal: ContactNormal::Collinear,
-        }],
+        contacts: contact("disk on disk", [1, 2], 0.0, ContactNormal::Collinear),
         ..plane_scene("colliding_disks", mesh, END)
     })
 }

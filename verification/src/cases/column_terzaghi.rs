@@ -56,13 +56,13 @@ pub static COLUMN_TERZAGHI: Case = Case::new(
                 "a quarter of the mesh's at twice the cells, and inertia",
             ],
         )
-        .on(|rung| rung.variant == TOP),
+        .of(TOP),
     error(PRESSURE)
         .at_most_of(
             [3e-3, 1e-3],
             ["the prototype had 2.6e-3", "the prototype had 6.8e-4"],
         )
-        .on(|rung| rung.variant == BOTH),
+        .of(BOTH),
     error(EFFECTIVE).at_most_of(
         [3e-3, 1e-3],
         [

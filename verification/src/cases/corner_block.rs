@@ -106,54 +106,41 @@ fn scene(rung: &Rung, settings: &Settings, reference: Reference) -> Scene {
     let way = exact().displacement(TIME);
     let (from, to) = (-1.0, LENGTH + way + 1.0);
     let mesh = open_plane(h, [from, -0.5], [to, 1.5]);
-    let line = Chain {
-        points: (0..=20)
-            .map(|k| Point::new(to - 0.2 - (to - from - 0.4) * f64::from(k) / 20.0, 0.0))
-            .collect(),
-        side: BoundarySide::Open,
-    };
-    let ends = if rung.variant == SLAVE {
-        [2, 1]
-    } else {
-        [1, 2]
-    };
+    let at = |k: i32| Point::new(to - 0.2 - (to - from - 0.4) * f64::from(k) / 20.0, 0.0);
+    let line = open_line("line", 2, (0..=20).map(at), None);
+    let block = rectangle([0.0, 0.5 * GAP], [LENGTH, 0.5 * GAP + HEIGHT]);
+    let is_slave = rung.variant == SLAVE;
+    let ends = if is_slave { [2, 1] } else { [1, 2] };
+    let friction = reference.of(&WRONG_FRICTION) * FRICTION;
     let mut scene = Scene {
-        name: rung.label.clone(),
         time_step: settings.multiplier(),
         gravity: [exact().along, -exact().into, 0.0],
         materials: elastic(DENSITY, YOUNG, POISSON),
-        bodies: vec![body(
-            "block",
-            1,
-            cuboid([0.0, 0.5 * GAP, 0.0], [LENGTH, 0.5 * GAP + HEIGHT, 0.0]),
-        )],
+        bodies: vec![body("block", 1, block)],
         damping: Damping::Local { alpha: SETTLING },
-        results: NO_RESULTS,
         mortar: Mortar {
             boundaries: vec![boundary(1, Vertices::Spacing(SEGMENT))],
-            lines: vec![rigid_line("line", 2, line, None)],
-            contacts: vec![MortarContact {
-                friction: reference.of(&WRONG_FRICTION) * FRICTION,
-                tangential_stiffness: KAPPA_T,
-                ..barrier("block on line", ends, GAP, KAPPA)
-            }],
+            lines: vec![line],
+            contacts: vec![rubbing(
+                [friction, KAPPA_T],
+                barrier("block on line", ends, GAP, KAPPA),
+            )],
             ..Mortar::default()
         },
-        ..Scene::new(Dimension::Two, mesh, STAGE + TIME)
+        ..plane_scene(&rung.label, mesh, STAGE + TIME)
     };
     settings.apply(&mut scene);
     scene
 }
 
 fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
-    let (rung, reference) = (run.rung, run.reference);
-    let (simulation, observer) = (run.simulation, run.observer);
+    let (rung, simulation, observer) = (run.rung, run.simulation, run.observer);
     let exact = exact();
     simulation.set_friction(1, ROUGH)?;
     run_until(simulation, STAGE, &mut *observer, |_| ())?;
     simulation.set_local_damping(None)?;
-    simulation.set_friction(1, reference.of(&WRONG_FRICTION) * FRICTION)?;
-    let start = simulation.center(0).position;
+    simulation.set_friction(1, run.reference.of(&WRONG_FRICTION) * FRICTION)?;
+    let start = simulation.center(0).position[0];
     let mut most = [f64::NEG_INFINITY; 2];
     let mut turned = turn(simulation);
     let mut points = vec![];
@@ -162,22 +149,14 @@ fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
         run_until(simulation, STAGE + time, &mut *observer, |simulation| {
             // Forces are of the step before the vertices moved. The normals of the line do not turn.
             let now = turn(simulation);
-            let turn = if rung.variant == SLAVE {
-                turned.max(now)
-            } else {
-                0.0
-            };
+            let is_slave = rung.variant == SLAVE;
+            let turn = if is_slave { turned.max(now) } else { 0.0 };
             turned = now;
             let found = excess(simulation, turn);
-            for (most, found) in most.iter_mut().zip(found) {
-                *most = most.max(found);
-            }
+            most = [0, 1].map(|of| most[of].max(found[of]));
         })?;
-        points.push(CurvePoint::new(
-            time,
-            simulation.center(0).position[0] - start[0],
-            exact.displacement(time),
-        ));
+        let way = simulation.center(0).position[0] - start;
+        points.push(CurvePoint::new(time, way, exact.displacement(time)));
     }
     let way = points.last().map_or(f64::NAN, |p| p.computed);
     let quantities = vec![
@@ -185,10 +164,7 @@ fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
         Quantity::of_zero(TOTAL, most[0].max(0.0)),
         Quantity::of_zero(VERTEX, most[1].max(0.0)),
     ];
-    let curve = Curve::new(
-        format!("{}: way along the line", rung.label),
-        ["t in s", "u_x in m"],
-        points,
-    );
+    let title = format!("{}: way along the line", rung.label);
+    let curve = Curve::new(title, ["t in s", "u_x in m"], points);
     Ok(Measurements::of(quantities).drawn(curve))
 }

@@ -199,7 +199,7 @@ fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
     })
 }
 
-/// How far the foot goes, for the record.
+/// Way of the foot, for the record.
 fn line(rung: &Rung, run: &RungResult) -> Option<String> {
     let what = format!(
         "foot {:.3} heights from where it was, highest point {:.2} m, {:.2} % of the water left the pores",

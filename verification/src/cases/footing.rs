@@ -274,11 +274,8 @@ fn scene(rung: &Rung, _: &Settings) -> Scene {
     let surcharge = variant.ground().surcharge;
     if surcharge > 0.0 {
         ground.initial_stress = InitialStress::Isotropic(-surcharge);
-        scene.tractions = vec![Traction {
-            p1: [0.5 * WIDTH, deep, 0.0],
-            p2: [wide, deep, 0.0],
-            traction: [0.0, -surcharge, 0.0].into(),
-        }];
+        let (edge, end) = ([0.5 * WIDTH, deep, 0.0], [wide, deep, 0.0]);
+        scene.tractions = traction(edge, end, [0.0, -surcharge, 0.0]);
     }
     scene.bodies = vec![ground];
     let method = Method::DEFAULT.with_weighting(Weighting::Linear);

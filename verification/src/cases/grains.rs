@@ -88,12 +88,8 @@ fn side(rung: &Rung) -> usize {
 fn straight(id: i64, name: &str, ends: [[f64; 2]; 2], motion: Option<History>) -> RigidLine {
     let [a, b] = ends.map(Point::from);
     let count = ((b - a).norm() / 0.25).ceil() as usize;
-    let at = |k: usize| a + (b - a) * (k as f64 / count as f64);
-    let chain = Chain {
-        points: (0..=count).map(at).collect(),
-        side: BoundarySide::Open,
-    };
-    rigid_line(name, id, chain, motion)
+    let points = (0..=count).map(|k| a + (b - a) * (k as f64 / count as f64));
+    open_line(name, id, points, motion)
 }
 
 /// Quantities without an exact value.

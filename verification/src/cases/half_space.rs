@@ -66,20 +66,20 @@ pub static HALF_SPACE: Case = Case::new(
             5e-3,
             "a prototype of the same weights was off by 0.18 % under the disc",
         )
-        .on(|rung| rung.variant == ON_DISC),
+        .of(ON_DISC),
     error(SETTLEMENT)
         .at_most(1e-2, "one percent at a depth of eight cells under a point")
-        .on(|rung| rung.variant == AT_POINT),
+        .of(AT_POINT),
     error(FIELD).at_most(2e-3, "the prototype was off by 7.2e-4 under the disc"),
     order(FIELD)
         .at_least(1.8, "order 2 is expected outside the load")
-        .on(|rung| rung.variant == ON_DISC),
+        .of(ON_DISC),
     order(FIELD)
         .at_least(
             1.0,
             "errors fall as cells do, although the displacement at the point has no limit",
         )
-        .on(|rung| rung.variant == AT_POINT),
+        .of(AT_POINT),
     worst(RESIDUAL)
         .at_most(
             1e-6,
@@ -88,7 +88,7 @@ pub static HALF_SPACE: Case = Case::new(
         .named("{quantity}, unbalanced force over load, worst mesh"),
     value(VERTICAL)
         .at_most(0.04, "the prototype was off by 0.019 of the pressure")
-        .on(|rung| rung.variant == ON_DISC),
+        .of(ON_DISC),
 ])
 .tables(&[TableRule::new(
     "half-space, {variant}",
@@ -145,11 +145,7 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
         ..plane_scene("half_space", mesh, 1e3)
     });
     if rung.variant == ON_DISC {
-        scene.tractions = vec![Traction {
-            p1: [0.0, FAR, 0.0],
-            p2: [DISC, FAR, 0.0],
-            traction: [0.0, -PRESSURE, 0.0].into(),
-        }];
+        scene.tractions = traction([0.0, FAR, 0.0], [DISC, FAR, 0.0], [0.0, -PRESSURE, 0.0]);
     } else {
         scene.point_loads = vec![PointLoad {
             position: [0.0, FAR, 0.0],

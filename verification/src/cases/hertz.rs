@@ -85,7 +85,7 @@ pub static HERTZ: Case = Case::new(
         .at_most(0.05, "the method's reference figures: 3.1 %")
         .full_alone()
         .by_rung()
-        .on(|rung| rung.variant == PAPER_VARIANT),
+        .of(PAPER_VARIANT),
 ])
 .tables(&[TableRule::new(
     "{variant}",
@@ -109,7 +109,7 @@ const fn of_hertz(quantity: &'static str, bound: f64, reason: &'static str) -> G
         .at_most(bound, reason)
         .full_alone()
         .by_rung()
-        .on(|rung| rung.variant == HERTZ_VARIANT)
+        .of(HERTZ_VARIANT)
 }
 
 fn exact(reference: Reference) -> Exact {
@@ -184,10 +184,7 @@ pub(super) fn scene(rung: &Rung, settings: &Settings) -> Scene {
     let top = GAP + RADIUS;
     // Vertices of the plane every 0.1 m, none of them under the middle.
     let points = (0..=40).map(|k| Point::new(2.03 - 0.1 * f64::from(k), 0.0));
-    let plane = Chain {
-        points: points.collect(),
-        side: BoundarySide::Open,
-    };
+    let plane = open_line("plane", 2, points, None);
     let mut scene = Scene {
         name: rung.label.clone(),
         time_step: settings.multiplier(),
@@ -201,7 +198,7 @@ pub(super) fn scene(rung: &Rung, settings: &Settings) -> Scene {
         }],
         mortar: Mortar {
             boundaries: vec![mortar::boundary(1, Vertices::Given(vec![boundary(h)]))],
-            lines: vec![rigid_line("plane", 2, plane, None)],
+            lines: vec![plane],
             contacts: vec![mortar::barrier("half disk on plane", [2, 1], GAP, kappa)],
             ..Mortar::default()
         },

@@ -133,14 +133,7 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
         gravity: [0.0, -load() / (DENSITY * VOLUME), 0.0],
         materials: elastic(DENSITY, YOUNG, POISSON),
         bodies: vec![plate, body("ball", 2, ball)],
-        contacts: vec![Contact {
-            name: "ball on plate".to_owned(),
-            id: 1,
-            friction: 0.0,
-            master: 1,
-            slave: 2,
-            normal: ContactNormal::Master,
-        }],
+        contacts: contact("ball on plate", [1, 2], 0.0, ContactNormal::Master),
         ..plane_scene("hertz_ball", mesh, PERIODS[1] * period())
     })
 }

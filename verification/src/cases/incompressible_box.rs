@@ -63,7 +63,7 @@ pub static INCOMPRESSIBLE_BOX: Case = Case::new("incompressible-box", "Does a ne
     value(SHARE)
         .at_most(0.9, "a box that did not lock without means over cells would prove nothing of them")
         .named("{quantity} with the strain of each particle")
-        .on(|rung| rung.variant == LOCKED),
+        .of(LOCKED),
 ])
 .tables(&[
     TableRule::new("incompressible-box, {variant}, means over cells", &[SETTLEMENT, CENTRE, L2])

@@ -285,11 +285,8 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
     scene.bodies = vec![body("block", 1, rectangle([0.0; 2], BLOCK))];
     scene.mortar.boundaries = vec![boundary(1, Vertices::Spacing(SEGMENT))];
     scene.mortar.lines = vec![rigid_line("indenter", 2, indenter(), Some(motion()))];
-    scene.mortar.contacts = vec![MortarContact {
-        friction: reading.friction,
-        tangential_stiffness: 1e4 * stiffness,
-        ..barrier("indenter in block", [1, 2], CRITICAL_GAP, KAPPA * stiffness)
-    }];
+    let pushing = barrier("indenter in block", [1, 2], CRITICAL_GAP, KAPPA * stiffness);
+    scene.mortar.contacts = vec![rubbing([reading.friction, 1e4 * stiffness], pushing)];
     settings.apply(&mut scene);
     scene.transfer.pic_fraction = PIC;
     scene

@@ -54,13 +54,13 @@ pub static REVOLVED: Case = Case::new(
             "twice the error of a prototype of the same weights at 32 cells",
         )
         .full_alone()
-        .on(|rung| rung.variant == SMALL),
+        .of(SMALL),
     error(DISPLACEMENT)
         .at_most_by(
             |finest| 1e-2 * (32.0 * finest.cell / SIDE).powi(2),
             "two and a half times that of the smaller amplitude, as strains are",
         )
-        .on(|rung| rung.variant == LARGE),
+        .of(LARGE),
     order(DISPLACEMENT).at_least(1.8, PROTOTYPE),
     order(STRESS).at_least(0.9, PROTOTYPE),
     order(AXIS).at_least(1.8, "order 2 beside the axis as elsewhere, less 0.2"),

@@ -92,11 +92,9 @@ pub static RINGS: Case = Case::new(
         )
         .by_rung()
         .named("{label}: error of the first contact"),
-    of_last_contact().on(|rung| rung.variant == APIC),
+    of_last_contact().of(APIC),
     // With FLIP, which is there for the energy, the rings need the fine grid to part in time.
-    of_last_contact()
-        .full_alone()
-        .on(|rung| rung.variant == FLIP),
+    of_last_contact().full_alone().of(FLIP),
     error(IMPULSE)
         .at_most(0.03, "the method's reference figures: 1.6 %")
         .by_rung()
@@ -147,7 +145,7 @@ const fn of_energy(quantity: &'static str) -> GateRule {
             ],
         )
         .by_rung()
-        .on(|rung| rung.variant == FLIP)
+        .of(FLIP)
         .named("{label}: error of {quantity}")
 }
 
@@ -325,11 +323,8 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
         let boundary = boundary(id, Vertices::Spacing(segment));
         scene.mortar.boundaries.push(boundary);
     }
-    scene.mortar.contacts = vec![MortarContact {
-        friction: 0.1,
-        tangential_stiffness: KAPPA_T,
-        ..barrier("rings", [2, 1], GAP, KAPPA)
-    }];
+    let pushing = barrier("rings", [2, 1], GAP, KAPPA);
+    scene.mortar.contacts = vec![rubbing([0.1, KAPPA_T], pushing)];
     settings.apply(&mut scene);
     without_pic(&mut scene);
     scene

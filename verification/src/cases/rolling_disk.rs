@@ -113,11 +113,7 @@ fn young(variant: &str) -> f64 {
 fn plane(h: f64, from: f64, to: f64) -> RigidLine {
     let count = ((to - from) / (0.5 * h)).round() as usize;
     let at = |k: usize| Point::new(to - (to - from) * k as f64 / count as f64, 0.0);
-    let chain = Chain {
-        points: (0..=count).map(at).collect(),
-        side: BoundarySide::Open,
-    };
-    rigid_line("plane", 2, chain, None)
+    open_line("plane", 2, (0..=count).map(at), None)
 }
 
 fn judge(runs: &Runs<'_>) -> Verdict {
@@ -178,10 +174,7 @@ pub(super) fn scene(rung: &Rung, settings: &Settings) -> Scene {
     let (from, to) = (-1.2, 9.6);
     let mesh = open_plane(h, [from, -0.4], [to, 1.4]);
     let normal = GRAVITY * libm::cos(INCLINATION_DEGREES.to_radians());
-    let disk = Shape::Sphere {
-        center: [0.0, RADIUS + 0.5 * GAP, 0.0],
-        radius: RADIUS,
-    };
+    let disk = ball([0.0, RADIUS + 0.5 * GAP, 0.0], RADIUS);
     let mut scene = Scene {
         name: rung.label.clone(),
         time_step: settings.multiplier(),
@@ -192,11 +185,10 @@ pub(super) fn scene(rung: &Rung, settings: &Settings) -> Scene {
         mortar: Mortar {
             boundaries: vec![boundary(1, Vertices::Spacing(TAU * RADIUS / 64.0))],
             lines: vec![plane(0.1, from + 0.2, to - 0.2)],
-            contacts: vec![MortarContact {
-                friction: friction(rung.variant),
-                tangential_stiffness: KAPPA_T,
-                ..barrier("disk on plane", [2, 1], GAP, KAPPA)
-            }],
+            contacts: vec![rubbing(
+                [friction(rung.variant), KAPPA_T],
+                barrier("disk on plane", [2, 1], GAP, KAPPA),
+            )],
             ..Mortar::default()
         },
         results: Results {
@@ -211,8 +203,7 @@ pub(super) fn scene(rung: &Rung, settings: &Settings) -> Scene {
 }
 
 pub(super) fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
-    let (rung, reference) = (run.rung, run.reference);
-    let (simulation, observer) = (run.simulation, run.observer);
+    let (rung, simulation, observer) = (run.rung, run.simulation, run.observer);
     // A slab is as thick as its one layer of cells, the plane 1 m.
     let thickness = simulation.scene().mesh.cell[2];
     let mut follow = |simulation: &mut Simulation, stop: f64, turn: &mut f64| {
@@ -226,7 +217,7 @@ pub(super) fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
     simulation.set_local_damping(None)?;
     simulation.set_gravity([GRAVITY * sin, -GRAVITY * cos, 0.0])?;
     let start = simulation.center(0).position[0];
-    let exact = exact(reference, rung);
+    let exact = exact(run.reference, rung);
     let (mut points, mut turn) = (vec![], 0.0);
     for k in 1..=20 {
         let time = f64::from(k) / 20.0 * STAGE;

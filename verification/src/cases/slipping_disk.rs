@@ -95,51 +95,37 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
     let (from, to) = (-1.2, (way + 1.2).ceil());
     let mesh = open_plane(rung.cell, [from, -0.4], [to, 1.4]);
     let count = ((to - from - 0.4) / 0.1).round();
-    let line = Chain {
-        points: (0..=count as usize)
-            .map(|k| {
-                let share = k as f64 / count;
-                Point::new(to - 0.2 - (to - from - 0.4) * share, 0.0)
-            })
-            .collect(),
-        side: BoundarySide::Open,
+    let at = |k: usize| {
+        let share = k as f64 / count;
+        Point::new(to - 0.2 - (to - from - 0.4) * share, 0.0)
     };
+    let line = open_line("plane", 2, (0..=count as usize).map(at), None);
+    let disk = ball([0.0, RADIUS + 0.5 * GAP, 0.0], RADIUS);
     let mut scene = Scene {
-        name: rung.label.clone(),
         time_step: settings.multiplier(),
         gravity: [0.0, -GRAVITY * cos, 0.0],
         materials: elastic(DENSITY, YOUNG, POISSON),
-        bodies: vec![body(
-            "disk",
-            1,
-            Shape::Sphere {
-                center: [0.0, RADIUS + 0.5 * GAP, 0.0],
-                radius: RADIUS,
-            },
-        )],
+        bodies: vec![body("disk", 1, disk)],
         damping: Damping::Local { alpha: SETTLING },
-        results: NO_RESULTS,
         mortar: Mortar {
             boundaries: vec![boundary(1, Vertices::Spacing(TAU * RADIUS / 64.0))],
-            lines: vec![rigid_line("plane", 2, line, None)],
-            contacts: vec![MortarContact {
-                friction: FRICTION,
-                tangential_stiffness: KAPPA_T,
-                ..barrier("disk on plane", [2, 1], GAP, KAPPA)
-            }],
+            lines: vec![line],
+            contacts: vec![rubbing(
+                [FRICTION, KAPPA_T],
+                barrier("disk on plane", [2, 1], GAP, KAPPA),
+            )],
             ..Mortar::default()
         },
-        ..Scene::new(Dimension::Two, mesh, STAGE + TIME)
+        ..plane_scene(&rung.label, mesh, STAGE + TIME)
     };
     settings.apply(&mut scene);
     scene
 }
 
 fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
-    let (rung, reference) = (run.rung, run.reference);
     let (simulation, observer) = (run.simulation, run.observer);
-    let slope = slope(rung);
-    let arm = reference.of(&WRONG_ARM) * arm(slope);
+    let slope = slope(run.rung);
+    let arm = run.reference.of(&WRONG_ARM) * arm(slope);
     run_until(simulation, STAGE, &mut *observer, |_| ())?;
     let (sin, cos) = libm::sincos(slope);
     simulation.set_local_damping(None)?;
@@ -156,18 +142,12 @@ fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
             impulse -= force * (after - before);
             before = after;
         })?;
-        points.push(CurvePoint::new(
-            time,
-            start - angular_momentum(simulation, 0),
-            arm * impulse,
-        ));
+        let gained = start - angular_momentum(simulation, 0);
+        points.push(CurvePoint::new(time, gained, arm * impulse));
     }
     let gained = points.last().map_or(f64::NAN, |p| p.computed);
-    let quantities = vec![Quantity::compared(SPIN, gained / impulse, arm, "m")];
-    let curve = Curve::new(
-        format!("{}: angular momentum", rung.label),
-        ["t in s", "L in kg m²/s per m"],
-        points,
-    );
-    Ok(Measurements::of(quantities).drawn(curve))
+    let spin = Quantity::compared(SPIN, gained / impulse, arm, "m");
+    let title = format!("{}: angular momentum", run.rung.label);
+    let curve = Curve::new(title, ["t in s", "L in kg m²/s per m"], points);
+    Ok(Measurements::of([spin]).drawn(curve))
 }

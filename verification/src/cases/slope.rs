@@ -91,7 +91,7 @@ fn rungs(size: Size) -> Vec<Rung> {
     Rung::ladders(&[(LOCAL, cells), (CRACK_BAND, cells)])
 }
 
-/// How far each run comes, and that against the cell size, variant by variant.
+/// Run-outs, and those against the cell size, variant by variant.
 fn judge(runs: &Runs<'_>) -> Verdict {
     let mut verdict = Verdict::default();
     for variant in [LOCAL, CRACK_BAND] {

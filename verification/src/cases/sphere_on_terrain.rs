@@ -47,9 +47,7 @@ const DOWNWARD: &str = "largest pull, over weight";
 /// Name of the energy of a bounce: that of the last step over that of the first.
 const KEPT: &str = "energy after the bounce, over the initial";
 
-const DEPTH_GATE: f64 = 0.5; // Largest penetration over the cell
 const ROUND_OFF: f64 = 1e-11; // Round-off over some thousand steps
-const TOUCH_GATE: f64 = 1.0; // The first force acts in the step in which the particle would pass
 
 const WRONG_PULL: Wrong = Wrong::factor("pull", 1.01)
     .breaks(|gate| {
@@ -66,10 +64,10 @@ pub static SPHERE_ON_TERRAIN: Case = Case::new("sphere-on-terrain", "Does a sphe
     .scene_by(scene)
     .run(compare)
     .gates_of_rungs(&[
-    error(DEPTH).at_most(DEPTH_GATE, "the project promises half a cell"),
+    error(DEPTH).at_most(0.5, "the project promises half a cell"),
     error(BELOW).at_most(0.0, "no particle passes the terrain unnoticed"),
     error(FREE_FALL).at_most(ROUND_OFF, "until it touches, the sphere falls freely"),
-    error(TOUCH).at_most(TOUCH_GATE, "the force acts in the step in which a particle would pass"),
+    error(TOUCH).at_most(1.0, "the force acts in the step in which a particle would pass"),
     error(MOMENTUM).at_most(ROUND_OFF, "weight and impulse are all that changes momentum"),
     error(GAINED).at_most(ROUND_OFF, "a smooth terrain gives no energy").on(is_smooth),
     error(DOWNWARD)
@@ -300,13 +298,9 @@ fn scene(rung: &Rung, settings: &Settings, reference: Reference) -> Scene {
         Some(_) => settings.equal_steps(time, h, wave_speed()).0,
     };
     scene.materials = elastic(MATERIAL[0], MATERIAL[1], MATERIAL[2]);
-    let sphere = Shape::Sphere {
-        center: CENTER,
-        radius: RADIUS,
-    };
     scene.bodies.push(Body {
         velocity: VELOCITY.map(|v| factor * v),
-        ..body("sphere", 1, sphere)
+        ..body("sphere", 1, ball(CENTER, RADIUS))
     });
     let friction = if smooth { 0.0 } else { FRICTION };
     scene

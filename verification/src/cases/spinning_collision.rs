@@ -101,40 +101,34 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
     // Half of the way past each other lies before the contact, half behind it.
     let before = 0.5 * VELOCITY[1] * TIME;
     let disk = |name: &str, id, side: f64| {
-        let shape = Shape::Sphere {
-            center: [side * half, side * before, 0.0],
-            radius: RADIUS,
-        };
-        let mut disk = body(name, id, shape);
-        disk.velocity = VELOCITY.map(|v| -side * v);
-        disk
+        let shape = ball([side * half, side * before, 0.0], RADIUS);
+        Body {
+            velocity: VELOCITY.map(|v| -side * v),
+            ..body(name, id, shape)
+        }
     };
+    let around = |id| boundary(id, Vertices::Spacing(SPACING));
     let mut scene = Scene {
-        name: rung.label.clone(),
         time_step: settings.multiplier(),
         materials: elastic(DENSITY, YOUNG, POISSON),
         bodies: vec![disk("master", 1, -1.0), disk("slave", 2, 1.0)],
-        results: NO_RESULTS,
         mortar: Mortar {
-            boundaries: [1, 2]
-                .map(|id| boundary(id, Vertices::Spacing(SPACING)))
-                .to_vec(),
-            contacts: vec![MortarContact {
-                friction: FRICTION,
-                tangential_stiffness: KAPPA_T,
-                ..barrier("disk on disk", [1, 2], GAP, KAPPA)
-            }],
+            boundaries: [1, 2].map(around).to_vec(),
+            contacts: vec![rubbing(
+                [FRICTION, KAPPA_T],
+                barrier("disk on disk", [1, 2], GAP, KAPPA),
+            )],
             ..Mortar::default()
         },
-        ..Scene::new(Dimension::Two, mesh, TIME)
+        ..plane_scene(&rung.label, mesh, TIME)
     };
     settings.apply(&mut scene);
     scene
 }
 
 fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
-    let (rung, reference) = (run.rung, run.reference);
-    let (simulation, observer) = (run.simulation, run.observer);
+    let (rung, simulation, observer) = (run.rung, run.simulation, run.observer);
+    let factor = run.reference.of(&WRONG_ARM);
     let (mut impulse, mut expected, mut pressed) = ([0.0; 2], [0.0; 2], 0.0);
     let mut points = vec![];
     for k in 1..=LOOKS {
@@ -146,17 +140,13 @@ fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
             for (body, id) in (1..=2).enumerate() {
                 let [normal, tangential] = force_on(simulation, id);
                 impulse[body] += tangential * (after - before);
-                expected[body] +=
-                    reference.of(&WRONG_ARM) * arm(normal) * tangential * (after - before);
+                expected[body] += factor * arm(normal) * tangential * (after - before);
                 pressed += 0.5 * normal * (after - before);
             }
             before = after;
         })?;
-        points.push(CurvePoint::new(
-            time,
-            angular_momentum(simulation, 1),
-            expected[1],
-        ));
+        let gained = angular_momentum(simulation, 1);
+        points.push(CurvePoint::new(time, gained, expected[1]));
     }
     let gained = [0, 1].map(|body| angular_momentum(simulation, body));
     let mut quantities = vec![];
@@ -166,16 +156,10 @@ fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
     }
     let [gained, expected, impulses] = [gained, expected, impulse].map(|of| of[0] + of[1]);
     let (gained, expected) = (gained / impulses, expected / impulses);
+    let over = "impulse of friction over that of pressure";
     quantities.push(Quantity::compared(BOTH, gained, expected, "m"));
-    quantities.push(Quantity::figure(
-        "impulse of friction over that of pressure",
-        impulse[1] / pressed,
-        "1",
-    ));
-    let curve = Curve::new(
-        format!("{}: angular momentum of the slave", rung.label),
-        ["t in s", "L in kg m²/s per m"],
-        points,
-    );
+    quantities.push(Quantity::figure(over, impulse[1] / pressed, "1"));
+    let title = format!("{}: angular momentum of the slave", rung.label);
+    let curve = Curve::new(title, ["t in s", "L in kg m²/s per m"], points);
     Ok(Measurements::of(quantities).drawn(curve))
 }

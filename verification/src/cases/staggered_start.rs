@@ -49,14 +49,14 @@ pub static STAGGERED_START: Case = Case::new(
             |finest| 2.0 * 1.8e-3 * libm::pow(32.0 * finest.cell / LENGTH, ORDER_STAGGERED),
             OF_STAGGERED,
         )
-        .on(|rung| rung.variant == STAGGERED),
+        .of(STAGGERED),
     order(DISPLACEMENT)
         .at_least(ORDER_STAGGERED, OF_STAGGERED)
-        .on(|rung| rung.variant == STAGGERED),
+        .of(STAGGERED),
     error(DISPLACEMENT)
         .at_most_by(|finest| 1.1 * error_of_a_strain_ahead(finest), OF_AT_ONCE)
-        .on(|rung| rung.variant == AT_ONCE),
-    order(DISPLACEMENT).at_least(0.9, OF_AT_ONCE).on(|rung| rung.variant == AT_ONCE),
+        .of(AT_ONCE),
+    order(DISPLACEMENT).at_least(0.9, OF_AT_ONCE).of(AT_ONCE),
 ])
 .tables(&[TableRule::new(
     "staggered-start, {variant}, cpGIMP, USF, FLIP, c dt/h = 0.2",

@@ -274,20 +274,10 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
             values: vec![[0.0; 3]; 2],
         });
         scene.bodies.push(wall);
-        scene.contacts = vec![Contact {
-            name: "bar on wall".to_owned(),
-            id: 1,
-            friction: 0.0,
-            master: 2,
-            slave: 1,
-            normal: ContactNormal::Collinear,
-        }];
+        scene.contacts = contact("bar on wall", [2, 1], 0.0, ContactNormal::Collinear);
     } else {
-        scene.tractions = vec![Traction {
-            p1: [LENGTH, 0.0, 0.0],
-            p2: [LENGTH, h, 0.0],
-            traction: [-STRAIN * YOUNG, 0.0, 0.0].into(),
-        }];
+        let pressure = [-STRAIN * YOUNG, 0.0, 0.0];
+        scene.tractions = traction([LENGTH, 0.0, 0.0], [LENGTH, h, 0.0], pressure);
     }
     scene.time_step = settings.multiplier();
     settings.apply(&mut scene);

@@ -62,16 +62,16 @@ pub static THICK_CYLINDER: Case = Case::new(
                 "a prototype of the same means was off by 6.2e-5, and by 0.16 without them",
             ],
         )
-        .on(|rung| rung.variant == STIFF),
+        .of(STIFF),
     order(DISPLACEMENT)
         .at_least(1.8, "the prototype had 2.0")
-        .on(|rung| rung.variant == STIFF),
+        .of(STIFF),
     order(DISPLACEMENT)
         .at_least(1.9, "the prototype had 1.99")
-        .on(|rung| rung.variant == ON),
+        .of(ON),
     order(RADIAL)
         .at_least(0.9, "stresses of the particles are of order 1")
-        .on(|rung| rung.variant == ON),
+        .of(ON),
     worst(RESIDUAL)
         .at_most(
             1e-8,
@@ -146,11 +146,7 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
         },
         materials: elastic(DENSITY, YOUNG, poisson(rung)),
         bodies: vec![body("wall", 1, rectangle([INNER, 0.0], [OUTER, h]))],
-        tractions: vec![Traction {
-            p1: [INNER, 0.0, 0.0],
-            p2: [INNER, h, 0.0],
-            traction: [PRESSURE, 0.0, 0.0].into(),
-        }],
+        tractions: traction([INNER, 0.0, 0.0], [INNER, h, 0.0], [PRESSURE, 0.0, 0.0]),
         ..plane_scene("thick_cylinder", mesh, 1.0)
     })
 }

@@ -61,7 +61,7 @@ pub static THICK_SPHERE: Case = Case::new(
                 "Lamé's cylinder is bounded by 3e-5 at 64 cells: 2.2e-4 at 24, and twice that between faces that cut cells",
             ],
         )
-        .on(|rung| rung.variant == ELASTIC),
+        .of(ELASTIC),
     error(DISPLACEMENT)
         .at_most_of(
             [1e-2, 4e-3],
@@ -70,13 +70,13 @@ pub static THICK_SPHERE: Case = Case::new(
                 "order 1.3 from there: the slope has a kink where it yields",
             ],
         )
-        .on(|rung| rung.variant == YIELDING),
+        .of(YIELDING),
     order(DISPLACEMENT)
         .at_least(1.8, "order 2 is expected of a smooth solution")
-        .on(|rung| rung.variant == ELASTIC),
+        .of(ELASTIC),
     order(DISPLACEMENT)
         .at_least(0.9, "order 1 at least: slopes have a kink where it yields")
-        .on(|rung| rung.variant == YIELDING),
+        .of(YIELDING),
     error(CELLS)
         .at_most_of(
             [0.1, 0.05],

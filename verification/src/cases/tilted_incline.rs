@@ -55,13 +55,6 @@ const DEPTH: &str = "deepest penetration over cell"; // Name of the deepest pene
 /// Name of the way across the fall of the plane over the way down it.
 const SIDEWAYS: &str = "way sideways over way";
 
-const SLIDING_GATE: f64 = 1e-2; // Largest relative error of acceleration and displacement
-/// Largest mean velocity over the second half of the time, over the velocity of the free block.
-const CREEP_GATE: f64 = 1e-4;
-const STICK_GATE: f64 = 5e-3; // Largest displacement of a block that sticks over that of a free one
-const SIDEWAYS_GATE: f64 = 2e-4; // Largest way sideways over the way down
-const DEPTH_GATE: f64 = 0.05; // Deepest penetration over the cell
-
 const PROMISED: &str = "the project promises one percent for every friction";
 const WRONG_PULL: Wrong = Wrong::factor("pull", 1.02)
     .breaks_only(|gate| {
@@ -79,19 +72,19 @@ pub static TILTED_INCLINE: Case = Case::new("tilted-incline", "Does a block slid
     .options(options)
     .run(compare)
     .gates_of_rungs(&[
-    error(ACCELERATION).at_most(SLIDING_GATE, PROMISED).on(slides),
-    error(WAY).at_most(SLIDING_GATE, PROMISED).on(slides),
+    error(ACCELERATION).at_most(1e-2, PROMISED).on(slides),
+    error(WAY).at_most(1e-2, PROMISED).on(slides),
     error(SIDEWAYS)
         .at_most(
-            SIDEWAYS_GATE,
+            2e-4,
             "nothing pushes the block sideways; a mesh that is not aligned with it must not either",
         )
         .on(|rung| slides(rung) && rung.problem::<Problem>().turned),
-    error(CREEP).at_most(CREEP_GATE, "a block that sticks does not creep").on(sticks),
-    error(WAY).at_most(STICK_GATE, "it shears, the free block slides 10 m").on(sticks),
+    error(CREEP).at_most(1e-4, "a block that sticks does not creep").on(sticks),
+    error(WAY).at_most(5e-3, "it shears, the free block slides 10 m").on(sticks),
     error(DEPTH)
         .at_most(
-            DEPTH_GATE,
+            0.05,
             "a bound on the step keeps particles out to a residue of the sweeps",
         )
         .on(|rung| slides(rung) || sticks(rung)),

@@ -96,11 +96,7 @@ fn scene(rung: &Rung, _: &Settings) -> Scene {
     let mut scene = Scene {
         materials: material("soil", DENSITY, law),
         bodies: vec![soil],
-        tractions: vec![Traction {
-            p1: [RADIUS, 0.0, 0.0],
-            p2: [RADIUS, HEIGHT, 0.0],
-            traction: [-CELL, 0.0, 0.0].into(),
-        }],
+        tractions: traction([RADIUS, 0.0, 0.0], [RADIUS, HEIGHT, 0.0], [-CELL, 0.0, 0.0]),
         ..plane_scene("triaxial", mesh, time())
     };
     let method = Method::DEFAULT.with_weighting(Weighting::Linear);

@@ -52,7 +52,7 @@ pub static YIELDING_CYLINDER: Case = Case::new(
             [5e-3, 2e-3],
             ["half a percent at 16 cells", "order 1.3 from there"],
         )
-        .on(|rung| rung.variant == HALF),
+        .of(HALF),
     error(DISPLACEMENT)
         .at_most_of(
             [3e-2, 1.5e-2],
@@ -61,19 +61,19 @@ pub static YIELDING_CYLINDER: Case = Case::new(
                 "a thousandth of the load",
             ],
         )
-        .on(|rung| rung.variant == LIMIT),
+        .of(LIMIT),
     error(WIDENING)
         .at_most_of(
             [1e-2, 5e-3],
             ["one percent at 16 cells", "half a percent at 32 cells"],
         )
-        .on(|rung| rung.variant == HALF),
+        .of(HALF),
     error(WIDENING)
         .at_most_of(
             [4e-2, 2e-2],
             ["as the displacement of the wall, and a third more at its face", "as the displacement of the wall at 32 cells, and a third more"],
         )
-        .on(|rung| rung.variant == LIMIT),
+        .of(LIMIT),
     error(RADIAL).at_most_of(
         [5e-2, 2.5e-2],
         ["order 1, from 2.5 % at 32 cells", "stresses are of order 1 where they have a kink"],

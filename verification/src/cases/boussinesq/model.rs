@@ -80,11 +80,10 @@ pub fn scene_of_side(side: f64, h: f64, loading: Loading) -> Scene {
             position: top,
             force: [0.0, 0.0, -QUARTER_LOAD],
         }),
-        Loading::Patch => scene.tractions.push(Traction {
-            p1: top,
-            p2: [far, far, side],
-            traction: [0.0, 0.0, -LOAD / (PATCH * PATCH)].into(),
-        }),
+        Loading::Patch => {
+            let down = [0.0, 0.0, -LOAD / (PATCH * PATCH)];
+            scene.tractions = traction(top, [far, far, side], down);
+        }
     }
     scene
 }

@@ -213,14 +213,7 @@ impl Variant {
                 }
             })
             .collect();
-        scene.contacts = vec![Contact {
-            name: "contact".to_owned(),
-            id: 1,
-            friction,
-            master: 1,
-            slave: 2,
-            normal: ContactNormal::Collinear,
-        }];
+        scene.contacts = contact("contact", [1, 2], friction, ContactNormal::Collinear);
         scene
     }
 }

@@ -213,7 +213,7 @@ pub(super) fn quantities(
     ])
 }
 
-/// Why what a return leaves is no more than that.
+/// Reason for the bounds of differences.
 pub(super) const ROUND_OFF: &str = "round-off of the state before";
 
 /// Gate on one of them.

@@ -3,11 +3,6 @@
 use super::{ACCELERATION, CREEP, GRAVITY, Kind, Problem, TIME, WAY, by_elements};
 use crate::cases::prelude::*;
 
-const SLIDING_GATE: f64 = 5e-3; // Largest relative error of acceleration and displacement
-/// Largest mean velocity over the second half of the time, over the velocity of the free block.
-const CREEP_GATE: f64 = 1e-4;
-const STICK_GATE: f64 = 5e-3; // Largest displacement of a block that sticks over that of a free one
-
 /// A line for the record of a block that walks, beside finite elements.
 fn walks(runs: &Runs<'_>, rung: &Rung) -> Option<String> {
     let (problem, run) = (rung.problem::<Problem>(), runs.run(&rung.label)?);
@@ -59,8 +54,8 @@ pub fn verdict(runs: &Runs<'_>) -> Verdict {
         match kind(first) {
             Kind::Settled => {
                 let reason = "the project promises half a percent for every friction";
-                gate(ACCELERATION, "all mu", SLIDING_GATE, reason);
-                gate(WAY, "all mu", SLIDING_GATE, reason);
+                gate(ACCELERATION, "all mu", 5e-3, reason);
+                gate(WAY, "all mu", 5e-3, reason);
             }
             Kind::Printed => {
                 let lines = own.iter().filter_map(|rung| printed(runs, rung));
@@ -71,8 +66,8 @@ pub fn verdict(runs: &Runs<'_>) -> Verdict {
                 let swings = "a block that sticks swings about its place: no mean velocity is left";
                 let shears =
                     "it shears and swings by about rho g H²/G = 2e-3 m, the free block slides 14 m";
-                gate(CREEP, both, CREEP_GATE, swings);
-                gate(WAY, both, STICK_GATE, shears);
+                gate(CREEP, both, 1e-4, swings);
+                gate(WAY, both, 5e-3, shears);
             }
         }
     }

@@ -113,7 +113,7 @@ pub(super) fn bound(rung: &Rung) -> (f64, &'static str) {
     )
 }
 
-/// How far the ratio of the disk that sticks may be off: by the strain of its rim, and by a creep that is a sum over vertices.
+/// Largest error of the ratio of the disk that sticks: the strain of its rim, and a creep that is a sum over vertices.
 fn shortened(variant: &str) -> Result<f64, String> {
     let (rolling, creep) = (rolling(variant)?, creep(variant)?);
     let strain = (1.0 + POISSON) * (1.0 - 2.0 * POISSON) * rolling.mean_pressure() / young(variant);

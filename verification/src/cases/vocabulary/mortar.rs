@@ -1,7 +1,8 @@
 //! Parts of all mortar contact cases: boundaries that move with their particles, contact through a barrier, the method
 //! of Liang et al. 2024.
 
-use proctor_contact::geometry::mortar::boundary::Chain;
+use proctor_contact::geometry::mortar::Point;
+use proctor_contact::geometry::mortar::boundary::{BoundarySide, Chain};
 use proctor_contact::geometry::mortar::motion::FollowMode;
 use proctor_contact::geometry::mortar::points::Detection;
 use proctor_scene::{
@@ -56,6 +57,29 @@ pub fn rigid_line(name: &str, id: i64, chain: Chain, motion: Option<History>) ->
         id,
         chains: vec![chain],
         motion,
+    }
+}
+
+/// A rigid line through points that is open at its ends, with the body on its left.
+pub fn open_line(
+    name: &str,
+    id: i64,
+    points: impl IntoIterator<Item = Point>,
+    motion: Option<History>,
+) -> RigidLine {
+    let chain = Chain {
+        points: points.into_iter().collect(),
+        side: BoundarySide::Open,
+    };
+    rigid_line(name, id, chain, motion)
+}
+
+/// The same contact with friction, on a tangential spring of a stiffness \[Pa/m\].
+pub fn rubbing([friction, tangential_stiffness]: [f64; 2], smooth: MortarContact) -> MortarContact {
+    MortarContact {
+        friction,
+        tangential_stiffness,
+        ..smooth
     }
 }
 

@@ -4,8 +4,8 @@ use proctor_contact::geometry::surface::Surface;
 use proctor_laws::{AnyLaw, LinearElastic};
 use proctor_scene::simulation::{InitialState, Options};
 use proctor_scene::{
-    Body, Dimension, InitialStress, Material, Mesh, PlaneCondition, Results, RigidSurface, Scene,
-    Shape, TimeStep, Vector,
+    Body, Contact, ContactNormal, Dimension, InitialStress, Material, Mesh, PlaneCondition,
+    Results, RigidSurface, Scene, Shape, TimeStep, Traction, Vector,
 };
 use std::sync::Arc;
 
@@ -57,6 +57,34 @@ pub fn body(name: impl Into<String>, id: i64, shape: Shape) -> Body {
 /// A rectangle or a cuboid.
 pub fn cuboid(p1: Vector, p2: Vector) -> Shape {
     Shape::Cuboid { p1, p2 }
+}
+
+/// A disk or a ball, by its centre and radius \[m\].
+pub const fn ball(center: Vector, radius: f64) -> Shape {
+    Shape::Sphere { center, radius }
+}
+
+/// The one contact of two bodies, with a coefficient of friction.
+pub fn contact(
+    name: &str,
+    [master, slave]: [i64; 2],
+    friction: f64,
+    normal: ContactNormal,
+) -> Vec<Contact> {
+    vec![Contact {
+        name: name.to_owned(),
+        id: 1,
+        friction,
+        master,
+        slave,
+        normal,
+    }]
+}
+
+/// The one traction of a scene \[Pa\], constant in time, on a line or a rectangle by two corners \[m\].
+pub fn traction(p1: Vector, p2: Vector, traction: Vector) -> Vec<Traction> {
+    let traction = traction.into();
+    vec![Traction { p1, p2, traction }]
 }
 
 /// A mesh of the plane in square cells, from one corner to the other, free at all sides \[m\].

@@ -311,5 +311,5 @@ pub const STAYS_ON_ITS_PATH: GateRule = value(ASTRAY).at_most(
     1e-9,
     "the motion of the particles is that of their momentum; round-off of some thousand steps",
 );
-/// What has strength comes to rest.
+/// A heap with strength comes to rest.
 pub const RESTS: GateRule = value(MOVING).at_most(1e-3, "elastic ringing within the heap remains");
