@@ -1,4 +1,4 @@
-//! Gates of the inclined block, and what is said of the manual's own scene.
+//! Gates of the inclined block, and lines for the record.
 
 use super::{ACCELERATION, CREEP, GRAVITY, Kind, Problem, TIME, WAY, by_elements};
 use crate::cases::prelude::*;
