@@ -22,6 +22,8 @@ fn end(rung: &Rung) -> f64 {
 }
 /// Linear pieces of the load in the reference: the joints are off by a share of 1e-5 of it.
 const PIECES: u32 = 200;
+/// Shares of the time at which isochrones are drawn: the first is while the load comes on.
+const SHARES: [f64; 4] = [0.1, 0.25, 0.5, 1.0];
 const PRESSURE: &str = "max(p)";
 const EFFECTIVE: &str = "max(effective stress)";
 const WRONG_CONDUCTIVITY: Wrong =
@@ -46,7 +48,7 @@ pub static COLUMN_TERZAGHI: Case = Case::new(
 }))
 .method(|_| Settings::new(Method::DEFAULT).courant(WET_COURANT))
 .scene(scene)
-.compare(compare)
+.run(compare)
 .gates_of_variants(&[
     error(PRESSURE)
         .at_most_of(
@@ -90,9 +92,9 @@ fn scene(rung: &Rung, settings: &Settings) -> Scene {
     scene
 }
 
-/// Pressure at a depth below the drained top \[m\] at the end: the sum of what each piece of the load leaves. Drained
+/// Pressure at a depth below the drained top \[m\] at a time \[s\]: the sum of what each piece of the load leaves. Drained
 /// at both ends, the layer is one of half the height and its image.
-fn pressure(rung: &Rung, reference: Reference, depth: f64) -> f64 {
+fn pressure(rung: &Rung, reference: Reference, depth: f64, time: f64) -> f64 {
     let height = if rung.variant == BOTH {
         0.5 * HEIGHT
     } else {
@@ -110,21 +112,38 @@ fn pressure(rung: &Rung, reference: Reference, depth: f64) -> f64 {
     let of_piece = |i: u32| {
         let share = smooth(piece(i + 1))[0] - smooth(piece(i))[0];
         let length = RAMP / f64::from(PIECES);
-        share * layer.pressure(height - depth, end(rung) - RAMP * piece(i), length)
+        share * layer.pressure(height - depth, time - RAMP * piece(i), length)
     };
-    (0..PIECES).map(of_piece).sum()
+    // Pieces that come on later leave nothing.
+    let on = (0..PIECES).take_while(|i| RAMP * piece(i + 1) <= time);
+    on.map(of_piece).sum()
 }
 
-fn compare(run: &mut Run<'_>) -> Result<Measurements, Failure> {
-    let (h, reference) = (run.rung.cell, run.reference);
+fn compare(mut run: Run<'_>) -> Result<Measurements, Failure> {
+    let (rung, h, reference) = (run.rung, run.rung.cell, run.reference);
     // Two points of Gauss in each cell: the pressure is smooth.
     let gauss = 0.5 / 3.0_f64.sqrt();
-    let (off, curve) = beside_exact(run, [LOAD; 2], LOAD, |cell| {
+    let exact = |cell: usize, time: f64| {
         let middle = (cell as f64 + 0.5) * h;
-        let at = |z: f64| pressure(run.rung, reference, HEIGHT - z);
-        let exact = 0.5 * (at(middle - gauss * h) + at(middle + gauss * h));
+        let at = |z: f64| pressure(rung, reference, HEIGHT - z, time);
+        let mean = 0.5 * (at(middle - gauss * h) + at(middle + gauss * h));
+        (middle, mean)
+    };
+    let (times, points) = isochrones(&mut run, &SHARES, |simulation, time| {
+        let means = means_over_cells(simulation, h).into_iter().enumerate();
+        let point = means.map(|(cell, [found, _])| {
+            let (middle, exact) = exact(cell, time);
+            CurvePoint::new(middle, found / LOAD, exact / LOAD)
+        });
+        point.collect()
+    })?;
+    let time = run.time();
+    let (off, _) = beside_exact(&run, [LOAD; 2], LOAD, |cell| {
+        let (middle, exact) = exact(cell, time);
         (middle, [exact, exact - LOAD])
     });
+    let title = format!("isochrones after {}, {}", words_of(&times), rung.label);
+    let curve = Curve::new(title, ["height (m)", "pore pressure / load"], points);
     Ok(Measurements::of([
         ratio(PRESSURE, Some(off[0])),
         ratio(EFFECTIVE, Some(off[1])),

@@ -12,7 +12,7 @@ use proctor_scene::simulation::{
     Condition, EmptyNode, FieldNodes, NodalConditions, Node, StepView,
 };
 
-/// A pressure on a column of one cell's width on the base y = 0, of particles with domains that keep their length.
+/// A pressure on a column of one cell's width on the base y = 0, of particles with domains.
 pub struct Lid {
     /// Cell size \[m\].
     cell: f64,
@@ -67,8 +67,11 @@ impl Condition for Lid {
         let mut forces = self.forces.lock().unwrap_or_else(PoisonError::into_inner);
         forces.clear();
         for (set, body) in view.particles.iter().zip(view.bodies) {
-            let half = body.mapping.half_length;
+            let of_body = body.mapping.half_length;
+            let own = body.mapping.half_length_column;
             for p in 0..set.len() {
+                let half = [0, 1]
+                    .map(|axis| own.map_or(of_body[axis], |column| set.columns[column + axis][p]));
                 let volume = set.columns[Layout::VOLUME][p];
                 let [x, y] = [0, 1].map(|axis| set.position(p)[axis] / self.cell);
                 for i in 0..=1 {

@@ -8,9 +8,12 @@ use proctor_scene::{
 
 use super::moved::smooth;
 use super::parts::{body, cells, elastic, plane_scene, rectangle, strip};
+use super::stepping::step;
 use crate::case::{Curve, CurvePoint, Run, Rung, Size};
+use crate::cases::PARTED;
 use crate::exact::two_phase_column::TwoPhaseColumn;
 use crate::settings::{Method, Settings};
+use crate::study::{Failure, Phase};
 
 /// Height \[m\].
 pub const HEIGHT: f64 = 1.0;
@@ -140,6 +143,42 @@ pub fn means_over_cells(simulation: &Simulation, h: f64) -> Vec<[f64; 2]> {
     }
     let mean = |(sum, particles): &([f64; 2], f64)| sum.map(|s| s / particles);
     sums.iter().map(mean).collect()
+}
+
+/// Runs a column of equal steps to its end, and stops at these shares of its time, the last of which is the end: the isochrones, one
+/// after the other, of `points` at each time \[s\], and the times.
+///
+/// # Errors
+/// As [`step`].
+pub fn isochrones(
+    run: &mut Run<'_>,
+    shares: &[f64],
+    mut points: impl FnMut(&Simulation, f64) -> Vec<CurvePoint>,
+) -> Result<(Vec<f64>, Vec<CurvePoint>), Failure> {
+    let (steps, end) = (run.equal_steps(), run.simulation.scene().time);
+    let (mut times, mut all) = (vec![], vec![]);
+    for share in shares {
+        run.observer.phase(Phase::Stepping);
+        let until = (share * steps as f64).round() as u64;
+        while run.simulation.steps() < until {
+            step(run.simulation, end, run.observer)?;
+        }
+        run.observer.progress(*share);
+        run.observer.phase(Phase::Comparing);
+        let time = run.time();
+        times.push(time);
+        if !all.is_empty() {
+            all.push(PARTED);
+        }
+        all.extend(points(run.simulation, time));
+    }
+    Ok((times, all))
+}
+
+/// Times \[s\] as words of a title.
+pub fn words_of(times: &[f64]) -> String {
+    let words: Vec<String> = times.iter().map(|time| format!("{time:.2}")).collect();
+    format!("{} s", words.join(", "))
 }
 
 /// Means over cells beside exact ones: the largest differences of pore pressure and effective stress, over a scale each \[Pa\], and
