@@ -34,7 +34,7 @@ pub(in crate::simulation) fn fold_open(
 pub(super) fn reach_beyond(slab: &mut Slab<'_>, is_open: impl Fn(usize, usize) -> bool) {
     if let Some(field) = slab.fields.last_mut() {
         each_open(field, is_open, |beyond, plane| {
-            beyond[1..].copy_from_slice(&plane[1..])
+            beyond[1..].copy_from_slice(&plane[1..]);
         });
     }
 }
