@@ -1,7 +1,7 @@
 //! Contact on the grid on ranks: bodies touch in planes of all ranks, slide, part, and meet again.
 
+use super::harness::{compare_from, end, step, strip};
 use super::threads::{self, Thread};
-use super::{compare_from, end, step, strip};
 use crate::common::{DIMENSIONS, SCHEMES, body, cuboid, empty, options, rough_drift};
 use proctor_kernel::ranks::Ranks;
 use proctor_kernel::simulation::StepErrorKind;

@@ -18,6 +18,7 @@ mod light;
 mod mesh;
 mod motion;
 mod nothing;
+mod particles;
 mod places;
 mod prelude;
 mod ringing;

@@ -14,6 +14,7 @@ pub(super) use proctor_scene::{
 };
 
 pub(super) use super::gates::*;
+pub(super) use super::particles::*;
 pub(super) use super::starts::*;
 pub(super) use super::vocabulary::*;
 pub(super) use super::{Extreme, Finding, Judgement, RowFault, RowVerdict};
