@@ -47,7 +47,8 @@ impl Cycle {
     }
 
     /// All fields at all nodes with mass as the last step left them, field by field, in order of the node. Ghost nodes
-    /// of walls, which mirror what lies inside, are left out. A rank has those of its own planes.
+    /// of walls, which mirror what lies inside, are left out. A rank has those of its own planes; ranks that share the simulation
+    /// call this at the same time.
     #[must_use]
     pub fn node_values(&self) -> Vec<NodeValues> {
         let touching = self.contact_by_node();
@@ -99,7 +100,9 @@ impl Cycle {
             at.0 = std::array::from_fn(|axis| at.0[axis] + one.force[axis]);
             at.1 = at.1.min(one.gap);
         };
-        if let Some(forces) = &self.work.forces_of_ranks {
+        if let Some(forces) = self.nodal_forces_of_ranks() {
+            forces.into_iter().for_each(&mut add);
+        } else if let Some(forces) = &self.work.forces_of_ranks {
             forces.iter().copied().for_each(&mut add);
         } else {
             for one in self.interactions() {

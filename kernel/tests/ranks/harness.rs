@@ -142,8 +142,8 @@ pub(super) fn alone(scene: &Scene, steps: usize, initial: &InitialField) -> (End
     (end(&mut simulation, stepped), measures)
 }
 
-/// Measures and error of a rank.
-pub(super) type OfRank = (Measures, Option<StepError>);
+/// Measures and error of a rank, and what acts at its own nodes.
+pub(super) type OfRank = (Measures, Option<StepError>, Vec<[u64; 4]>);
 
 /// The end of a scene on some ranks as the first one has it, and the error of each rank.
 pub(super) fn shared(
@@ -178,7 +178,8 @@ pub(super) fn shared(
                     Some(error) => (0, Some(error)),
                     None => step(&mut simulation, steps - steps / 2),
                 };
-                let here = (measures(&mut simulation, error.as_ref()), error.clone());
+                let measured = measures(&mut simulation, error.as_ref());
+                let here = (measured, error.clone(), touching(&simulation));
                 let whole = simulation.gather();
                 let end = whole.map(|_| end(&mut simulation, (sorts + more, error)));
                 (end, here)
@@ -213,10 +214,16 @@ pub(super) fn compare_from(scene: &Scene, steps: usize, initial: &InitialField) 
     for team in TEAMS {
         let (found, of_ranks) = shared(scene, team, steps, initial, None);
         assert_eq!(found.error, expected.error, "{team:?}");
-        for (measures, error) in &of_ranks {
+        let mut touched: Vec<[u64; 4]> = vec![];
+        for (measures, error, touching) in &of_ranks {
+            touched.extend(touching);
             assert_eq!(*error, expected.error, "{team:?}");
             assert_eq!(*measures, expected_measures, "{team:?} {scene:?}");
         }
+        let mut expected_touched = expected.touching.clone();
+        touched.sort_unstable();
+        expected_touched.sort_unstable();
+        assert_eq!(touched, expected_touched, "{team:?}");
         assert_eq!(found.hash, expected.hash, "{team:?} {scene:?}");
         assert_eq!(found.energy, expected.energy, "{team:?}");
         assert_eq!(found.nodes, expected.nodes, "{team:?}");

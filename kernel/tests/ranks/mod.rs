@@ -270,7 +270,7 @@ fn a_changed_ghost_is_found() {
         }
     };
     let (_, of_ranks) = shared(&scene, (2, 1), 300, &drifting(&scene, 2.0), Some(meddle));
-    for (_, error) in of_ranks {
+    for (_, error, _) in of_ranks {
         let error = error.expect("ranks disagree");
         assert!(
             matches!(error.kind, StepErrorKind::RanksDisagree { .. }),

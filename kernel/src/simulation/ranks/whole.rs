@@ -28,6 +28,7 @@ impl Cycle {
     pub fn gather(&mut self) -> Option<OwnPart> {
         let share = self.work.share.as_ref()?;
         let first = share.rank() == 0;
+        let forces = self.nodal_forces_of_ranks()?;
         let mut parts = vec![vec![]; share.ranks.count()];
         parts[0] = self.pack_part(share);
         let received = share.ranks.all_to_all(parts);
@@ -35,15 +36,16 @@ impl Cycle {
             return None;
         }
         let share = self.work.share.take()?;
-        Some(self.take_up(share, &received))
+        Some(self.take_up(share, &received, forces))
     }
 
     /// Gathers the whole simulation on each rank; the part that this one had.
     pub(super) fn gather_everywhere(&mut self) -> Option<Share> {
         let share = self.work.share.as_ref()?;
+        let forces = self.nodal_forces_of_ranks()?;
         let received = share.ranks.all_gather(&self.pack_part(share));
         let share = self.work.share.take()?;
-        Some(self.take_up(share, &received).share)
+        Some(self.take_up(share, &received, forces).share)
     }
 
     /// The particles and nodes that a rank owns, as words.
@@ -62,13 +64,12 @@ impl Cycle {
         for field in &self.work.grid.fields {
             field.rows.pack(planes.clone(), &mut words);
         }
-        self.pack_nodal_forces(&mut words);
         words.extend(exchange::pack(&self.work.grid, planes));
         words
     }
 
     /// Takes up the parts of all ranks; the own part as it was.
-    fn take_up(&mut self, share: Share, received: &[Vec<u64>]) -> OwnPart {
+    fn take_up(&mut self, share: Share, received: &[Vec<u64>], forces: Vec<NodalForce>) -> OwnPart {
         let whole = self.state.sets.iter().map(ParticleSet::without_particles);
         let whole = whole.collect();
         let sets = std::mem::replace(&mut self.state.sets, whole);
@@ -79,7 +80,6 @@ impl Cycle {
             std::mem::replace(&mut field.rows, whole)
         });
         let rows = rows.collect();
-        let mut forces = vec![];
         for (rank, words) in received.iter().enumerate() {
             let mut words = Words::of(words);
             for set in &mut self.state.sets {
@@ -93,7 +93,6 @@ impl Cycle {
             for field in &mut grid.fields {
                 field.rows.unpack(share.cut.planes(rank), &mut words);
             }
-            unpack_nodal_forces(&mut words, &mut forces);
             exchange::unpack(grid, words.rest());
         }
         for set in &mut self.state.sets {
@@ -138,22 +137,29 @@ impl Cycle {
         }
     }
 
-    /// The forces of contact at the nodes of this rank: their number, then body, node, force and gap of each.
-    fn pack_nodal_forces(&self, words: &mut Vec<u64>) {
-        let count = words.len();
-        words.push(0);
+    /// The forces of contact at the nodes of all ranks, in the order in which one process has those of a node; `None` where no ranks
+    /// share the simulation. A rank keeps those that it found, also where a sort since has given the nodes to another.
+    pub(in crate::simulation) fn nodal_forces_of_ranks(&self) -> Option<Vec<NodalForce>> {
+        let ranks = self.ranks()?;
+        let mut forces = vec![];
         for one in self.interactions() {
+            let mut words = vec![0];
             one.nodal_forces(&self.work.grid, &mut |one| {
-                // Some interactions know the forces at the nodes of all ranks.
-                if !self.owns(one.node) {
-                    return;
-                }
-                words[count] += 1;
+                words[0] += 1;
                 let [x, y, z] = one.force;
                 words.extend([one.body as u64, one.node as u64]);
                 words.extend([x, y, z, one.gap].map(f64::to_bits));
             });
+            if one.settles_across_ranks() {
+                // Each rank knows them all.
+                unpack_nodal_forces(&mut Words::of(&words), &mut forces);
+                continue;
+            }
+            for words in ranks.all_gather(&words) {
+                unpack_nodal_forces(&mut Words::of(&words), &mut forces);
+            }
         }
+        Some(forces)
     }
 }
 
