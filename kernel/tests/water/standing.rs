@@ -26,6 +26,24 @@ fn standing(level: impl Into<History>) -> StandingWater {
     }
 }
 
+/// A body as heavy as the water, with its pressure as stress, rests below a level of 2 m for 500 steps.
+fn require_rest(mut scene: Scene, what: &str) {
+    scene.bodies[0].initial_stress = InitialStress::AtRest {
+        ratio: 1.0,
+        level: 2.0,
+        surcharge: 0.0,
+    };
+    scene.standing_waters = vec![standing([2.0, 0.0, 0.0])];
+    let mut simulation = simulation(&scene);
+    run(&mut simulation, 500);
+    let set = &simulation.sets()[0];
+    for p in 0..set.len() {
+        for v in set.velocity(p) {
+            assert!(v.abs() < 1e-11, "{what}: {v:e}");
+        }
+    }
+}
+
 /// The block under water, in free space.
 fn submerged(dimension: Dimension) -> Scene {
     let mut scene = block(dimension);
@@ -108,20 +126,7 @@ fn a_block_that_the_water_carries_rests_on_a_plane() {
             scene.mesh.planes[1][ends] = PlaneCondition::Sliding;
             scene.gravity = [0.0, -G, 0.0];
             scene.bodies = vec![body(1, cuboid([0.125, at, 0.0], [0.375, at + 0.5, 0.0]))];
-            scene.bodies[0].initial_stress = InitialStress::AtRest {
-                ratio: 1.0,
-                level: 2.0,
-                surcharge: 0.0,
-            };
-            scene.standing_waters = vec![standing([2.0, 0.0, 0.0])];
-            let mut simulation = simulation(&scene);
-            run(&mut simulation, 500);
-            let set = &simulation.sets()[0];
-            for p in 0..set.len() {
-                for v in set.velocity(p) {
-                    assert!(v.abs() < 1e-11, "{weighting:?} {ends}: {v:e}");
-                }
-            }
+            require_rest(scene, &format!("{weighting:?} {ends}"));
         }
     }
 }
@@ -137,20 +142,7 @@ fn a_block_that_the_water_carries_rests_beside_a_plane() {
         scene.mesh.planes[0] = [PlaneCondition::Sliding, PlaneCondition::Free];
         scene.gravity = [0.0, -G, 0.0];
         scene.bodies = vec![body(1, cuboid([0.0, 0.5, 0.0], [0.25, 1.0, 0.0]))];
-        scene.bodies[0].initial_stress = InitialStress::AtRest {
-            ratio: 1.0,
-            level: 2.0,
-            surcharge: 0.0,
-        };
-        scene.standing_waters = vec![standing([2.0, 0.0, 0.0])];
-        let mut simulation = simulation(&scene);
-        run(&mut simulation, 500);
-        let set = &simulation.sets()[0];
-        for p in 0..set.len() {
-            for v in set.velocity(p) {
-                assert!(v.abs() < 1e-11, "{weighting:?}: {v:e}");
-            }
-        }
+        require_rest(scene, &format!("{weighting:?}"));
     }
 }
 

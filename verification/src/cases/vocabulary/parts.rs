@@ -220,7 +220,7 @@ pub fn stl_surface(
     })
 }
 
-/// The larger one; what is no number stays.
+/// The larger of two numbers, and NaN where one of them is NaN.
 pub fn larger(most: f64, next: f64) -> f64 {
     if next > most || next.is_nan() {
         next
@@ -229,7 +229,7 @@ pub fn larger(most: f64, next: f64) -> f64 {
     }
 }
 
-/// The largest, zero where there is none; what is no number stays.
+/// The largest of some numbers: zero of an empty list, NaN where one of them is NaN.
 pub fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
     values.into_iter().fold(0.0, larger)
 }

@@ -44,14 +44,7 @@ impl CheckpointFile {
             path: path.to_path_buf(),
             reason,
         };
-        let file = File::open(path).map_err(failed)?;
-        let found = file.metadata().map_err(failed)?.len();
-        let mut header = Vec::with_capacity(HEADER);
-        (&file)
-            .take(HEADER as u64)
-            .read_to_end(&mut header)
-            .map_err(failed)?;
-        let length = format::check_header(path, &header, found)?;
+        let (file, header, length) = format::open(path)?;
         let (count, fingerprint) = format::count_and_fingerprint(&header);
         let mut sections: Vec<IndexEntry> = vec![];
         let mut reader = BufReader::new(&file);

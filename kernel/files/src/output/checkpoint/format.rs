@@ -98,8 +98,8 @@ pub(super) fn width(data: &SectionData) -> usize {
     }
 }
 
-/// Reads the checkpoint `path`; see [`Checkpoint::read`].
-pub(super) fn read(path: &Path) -> Result<Checkpoint, CheckpointError> {
+/// Opens the checkpoint `path`: the file behind its header, the header, and the length that the file should have.
+pub(super) fn open(path: &Path) -> Result<(File, Vec<u8>, u64), CheckpointError> {
     let failed = |source| CheckpointError::Read {
         path: path.to_path_buf(),
         source,
@@ -107,12 +107,22 @@ pub(super) fn read(path: &Path) -> Result<Checkpoint, CheckpointError> {
     let file = File::open(path).map_err(failed)?;
     let found = file.metadata().map_err(failed)?.len();
     // The header first: a wrong file may be of any size.
-    let mut bytes = Vec::with_capacity(HEADER);
+    let mut header = Vec::with_capacity(HEADER);
     (&file)
         .take(HEADER as u64)
-        .read_to_end(&mut bytes)
+        .read_to_end(&mut header)
         .map_err(failed)?;
-    let expected = check_header(path, &bytes, found)?;
+    let length = check_header(path, &header, found)?;
+    Ok((file, header, length))
+}
+
+/// Reads the checkpoint `path`; see [`Checkpoint::read`].
+pub(super) fn read(path: &Path) -> Result<Checkpoint, CheckpointError> {
+    let failed = |source| CheckpointError::Read {
+        path: path.to_path_buf(),
+        source,
+    };
+    let (file, mut bytes, expected) = open(path)?;
     bytes
         .try_reserve_exact(expected as usize - bytes.len())
         .map_err(|_| failed(io::ErrorKind::OutOfMemory.into()))?;
@@ -145,7 +155,7 @@ pub(super) fn checksum(bytes: &[u8]) -> u32 {
 }
 
 /// Returns the length that the file should have.
-pub(super) fn check_header(path: &Path, header: &[u8], found: u64) -> Result<u64, CheckpointError> {
+fn check_header(path: &Path, header: &[u8], found: u64) -> Result<u64, CheckpointError> {
     let path = path.to_path_buf();
     // A file cut off inside the magic is still recognisable as far as it goes; an empty file is not.
     let known = header.len().min(MAGIC.len());
