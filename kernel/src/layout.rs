@@ -57,6 +57,8 @@ pub struct Layout {
     pub force: Option<usize>,
     /// Pore water: `axes` columns of its velocity \[m/s\], then pore pressure \[Pa\].
     pub water: Option<usize>,
+    /// Pore pressure that is held: 0 where it is, 1 where it changes, then the work that what holds it has done \[J\].
+    pub held_pressure: Option<usize>,
     /// First column of the internal variables of the law.
     pub variables: usize,
     /// These variables; their components lie one after the other.
@@ -84,6 +86,8 @@ pub struct Optional {
     pub axisymmetric: bool,
     /// Velocity of the pore water and pore pressure.
     pub water: bool,
+    /// Some pore pressures are held.
+    pub held_pressure: bool,
 }
 
 impl Layout {
@@ -115,6 +119,7 @@ impl Layout {
         let initial_half_length = group(wanted.initial_half_length, axes);
         let force = group(wanted.force, axes);
         let water = group(wanted.water, axes + 1);
+        let held_pressure = group(wanted.held_pressure, 2);
         let variables = next;
         next += law
             .iter()
@@ -130,6 +135,7 @@ impl Layout {
             initial_half_length,
             force,
             water,
+            held_pressure,
             variables,
             law,
             columns: next,
@@ -209,6 +215,8 @@ impl Layout {
             (self.force, "force", axes),
             (self.water, "water velocity", axes),
             (self.water, "pore pressure", 1),
+            (self.held_pressure, "pore pressure that changes", 1),
+            (self.held_pressure, "work of held pore pressure", 1),
         ] {
             if group.is_some() {
                 add(name, width);

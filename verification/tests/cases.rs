@@ -3,6 +3,7 @@
 
 mod facts;
 mod ironing;
+mod peers;
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{LazyLock, Mutex, OnceLock};

@@ -48,11 +48,10 @@ pub fn scenes_and_parts() -> Result<Vec<Item>, Box<dyn Error>> {
     let mut items = vec![];
     let mut push = |name: String, scene: Value, what| items.push(Item { name, scene, what });
     for name in scenes::names().filter(|name| !name.starts_with(SLABS)) {
-        push(format!("{name}/step"), make(&name)?, "step");
-    }
-    // What water costs is seen beside the same scene without.
-    for name in ["consolidation-2d", "consolidation-3d"] {
-        push(format!("{name}/dry/step"), scenes::dry(make(name)?), "step");
+        // What water costs is seen beside the same scene without.
+        let row = name.replace("consolidation_dry-2d", "consolidation-2d/dry");
+        let row = row.replace("consolidation_dry-3d", "consolidation-3d/dry");
+        push(format!("{row}/step"), make(&name)?, "step");
     }
     let moving = make("moving-3d")?;
     for (weighting, scheme, transfer) in [

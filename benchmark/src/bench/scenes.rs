@@ -7,8 +7,6 @@ mod touching;
 mod wet;
 mod yielding;
 
-pub use wet::dry;
-
 use proctor_scene::Vector;
 use proctor_verification::exact::sudden_weight::SuddenWeight;
 use proctor_verification::random::Random;
@@ -143,6 +141,11 @@ pub const BUILT_IN: &[BuiltIn] = &[
         wet::consolidation,
     ),
     built_in(
+        "consolidation_dry",
+        "the layer without its water, with the same steps",
+        wet::dry,
+    ),
+    built_in(
         "slabs-elastic",
         "a block of slabs that slide along each other and share a velocity where they meet, all of it sheared",
         |block| yielding::slabs(block, "elastic", false),
@@ -176,6 +179,16 @@ pub const BUILT_IN: &[BuiltIn] = &[
         "slabs-mohr_coulomb-yields",
         "the slabs with one that all particles are beyond",
         |block| yielding::slabs(block, "mohr_coulomb", true),
+    ),
+    built_in(
+        "slabs-cam_clay-below",
+        "the slabs of a clay that has borne so much that no particle yields",
+        |block| yielding::slabs(block, "cam_clay", false),
+    ),
+    built_in(
+        "slabs-cam_clay-yields",
+        "the slabs of a clay that has borne no more, and yields",
+        |block| yielding::slabs(block, "cam_clay", true),
     ),
     revolved(
         "revolved",

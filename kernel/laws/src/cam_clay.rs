@@ -1,5 +1,7 @@
 //! Modified Cam clay: clay that remembers the pressure that it has borne.
 
+mod ellipse;
+
 use super::linear_elastic::midpoint;
 use super::plastic::{ALGORITHMIC, STRAIN, WORK};
 use super::tensor::{
@@ -36,11 +38,6 @@ pub struct CamClay {
     overconsolidation: f64,
     reference_pressure: f64,
 }
-
-/// Steps of Newton's method for the return. On states of the ellipse strained by 1e-2 they leave round-off of `p_c²`.
-const ITERATIONS: usize = 6;
-/// Largest |f| over `p_c²` after them: beyond, a step strained the clay too far, and has no stress.
-const TOLERANCE: f64 = 1e-9;
 
 impl CamClay {
     /// Law of the stress ratio q/p at the critical state M, the slopes of ln v against ln p in first compression lambda and in
@@ -134,84 +131,17 @@ impl CamClay {
         }
     }
 
-    /// Preconsolidation pressure of a stress at the start, where none has been seen.
+    /// Preconsolidation pressure of a stress at the start with p and q², where none has been seen.
     #[inline(always)]
-    fn first<L: Lanes>(&self, [p, q]: [L; 2]) -> L {
+    fn first<L: Lanes>(&self, [p, square]: [L; 2]) -> L {
         if self.preconsolidation > 0.0 {
             return L::splat(self.preconsolidation);
         }
-        let ratio = q / p;
         let share = L::splat(self.critical_ratio.powi(-2));
         // A rounding above the stress, so that it lies on the ellipse or within.
         let factor = L::splat(self.overconsolidation * (1.0 + 4.0 * f64::EPSILON));
-        factor * (ratio * ratio * share).mul_add(p, p)
+        factor * ((square / p) * share + p)
     }
-
-    /// The return of a trial pressure and deviator to the ellipse.
-    #[inline(always)]
-    fn returned<L: Lanes>(&self, trial: [L; 2], before: L, shear: L) -> EllipseReturn<L> {
-        let (zero, one, two) = (L::splat(0.0), L::splat(1.0), L::splat(2.0));
-        let hardens = 1.0 / (self.compression - self.swelling);
-        let (of_hardening, of_swelling) = (L::splat(hardens), L::splat(1.0 / self.swelling));
-        let share = self.critical_ratio.powi(-2);
-        // Pressures over that of preconsolidation before.
-        let scale = one / before;
-        let [p_trial, q_trial] = trial.map(|x| x * scale);
-        let softness = L::splat(6.0 * share) * shear * scale;
-        let square_trial = L::splat(share) * q_trial * q_trial;
-        // First the radial return to the ellipse as it was, less a tenth: Newton's method comes from inside.
-        let within = p_trial.min(L::splat(0.5));
-        let room = within * (one - within);
-        let radial = (L::splat(0.81) * square_trial / room).sqrt().max(one);
-        let (mut x, mut g) = (zero, (radial - one) / softness);
-        let mut off = one;
-        let mut state = [p_trial, one, square_trial, one];
-        for turn in 0..=ITERATIONS {
-            let p = p_trial * functions::exp(-(x * of_swelling));
-            let most = functions::exp(x * of_hardening);
-            let stretch = softness.mul_add(g, one);
-            let square = square_trial / (stretch * stretch);
-            state = [p, most, square, stretch];
-            let slope = p + p - most;
-            let f = p.mul_add(p - most, square);
-            let flow = x - g * slope;
-            off = f.abs().max(flow.abs());
-            if turn == ITERATIONS {
-                break;
-            }
-            let f_x = -(p * of_swelling).mul_add(slope, p * most * of_hardening);
-            let f_g = -(two * square * softness / stretch);
-            let flow_x = g.mul_add((two * p).mul_add(of_swelling, most * of_hardening), one);
-            let flow_g = -slope;
-            let turned = one / (f_x * flow_g - f_g * flow_x);
-            x = x - turned * (f * flow_g - f_g * flow);
-            g = g - turned * (f_x * flow - f * flow_x);
-        }
-        let [p, most, square, stretch] = state;
-        EllipseReturn {
-            pressure: p * before,
-            preconsolidation: most * before,
-            ratio: one / stretch,
-            compression: x,
-            // Along the deviator sqrt(2/3 e : e) is 2 g q/M².
-            strain: two * g * (square * L::splat(share)).sqrt(),
-            found: off.lt(L::splat(TOLERANCE)),
-        }
-    }
-}
-
-/// Result of a return to the ellipse.
-struct EllipseReturn<L: Lanes> {
-    pressure: L,
-    preconsolidation: L,
-    /// Ratio of the deviator to that of the trial stress.
-    ratio: L,
-    /// Plastic volume strain, compression positive.
-    compression: L,
-    /// Plastic strain.
-    strain: L,
-    /// Lanes in which Newton's method converged.
-    found: L::Mask,
 }
 
 /// Deviator of the strain increment in the configuration half way, ordered as a law is given a stress.
@@ -357,12 +287,13 @@ impl Law for CamClay {
         let g = midpoint::<L, D>(&increment.gradient, at);
         let (mean, start) = deviator::<L, D>(&rotate::<L, D>(&g, stress.packed()));
         let p_start = L::select(mean.lt(zero), -mean, L::splat(f64::NAN));
-        let q_of = |s: &[L; 6]| (L::splat(3.0) * second_invariant::<L, D>(s)).sqrt();
-        let before = L::select(
-            zero.lt(variables[4]),
-            variables[4],
-            self.first([p_start, q_of(&start)]),
-        );
+        let square_of = |s: &[L; 6]| L::splat(3.0) * second_invariant::<L, D>(s);
+        let square_start = square_of(&start);
+        let mut before = variables[4];
+        let seen = zero.lt(before);
+        if !L::bits(seen) & L::bits(L::first(L::WIDTH)) != 0 {
+            before = L::select(seen, before, self.first([p_start, square_start]));
+        }
         let compressed = -functions::ln(volume_ratio::<L, D>(&increment.gradient, at));
         let mut p = p_start * functions::exp(compressed * L::splat(1.0 / self.swelling));
         let shear = self.shear_at(p_start);
@@ -371,15 +302,15 @@ impl Law for CamClay {
         for slot in 0..components(D) {
             s[slot] = (shear + shear).mul_add(e[slot], start[slot]);
         }
-        let q = q_of(&s);
+        let square = square_of(&s);
         let share = L::splat(self.critical_ratio.powi(-2));
-        let beyond = (q * q).mul_add(share, p * (p - before));
+        let beyond = square.mul_add(share, p * (p - before));
         // A stress on the ellipse stays there, but for round-off.
         let yields = (L::splat(8.0 * f64::EPSILON) * before * before).lt(beyond);
-        let (mut after, mut plastic) = (before, zero);
+        let (mut after, mut plastic, mut square) = (before, zero, square);
         let j = increment.volume / increment.mass * L::splat(increment.density);
         if L::bits(yields) != 0 {
-            let back = self.returned([p, q], before, shear);
+            let back = self.returned([p, square], before, shear, yields);
             let lost = L::splat(f64::NAN);
             p = L::select(yields, L::select(back.found, back.pressure, lost), p);
             after = L::select(yields, back.preconsolidation, before);
@@ -387,13 +318,14 @@ impl Law for CamClay {
             for slot in 0..components(D) {
                 s[slot] = s[slot] * ratio;
             }
+            square = square * ratio * ratio;
             let strain = L::select(yields, back.strain, zero);
             let swollen = L::select(yields, back.compression, zero);
             variables[0] = variables[0] + strain;
             variables[3] = variables[3] + swollen;
             // Of p the share that is not stored: see `stored`.
             let of_volume = p * swollen * L::splat(1.0 / (1.0 - self.swelling));
-            plastic = q_of(&s).mul_add(strain, of_volume) * j;
+            plastic = (L::select(yields, back.work, zero) + of_volume) * j;
             variables[1] = variables[1] + plastic;
         }
         // The trapezoidal work of the step, less what is stored and what is plastic.
@@ -405,8 +337,8 @@ impl Law for CamClay {
         let before = j * functions::exp(compressed);
         // With the volume half way.
         work = L::splat(0.25) * (work + sheared) * (j + before);
-        let now = self.stored([p, q_of(&s)], self.shear_at(p)) * j;
-        let then = self.stored([p_start, q_of(&start)], shear) * before;
+        let now = self.stored([p, square], self.shear_at(p)) * j;
+        let then = self.stored([p_start, square_start], shear) * before;
         variables[2] = variables[2] + (work - plastic - (now - then));
         variables[4] = after;
         let out = stress.packed_mut();
@@ -448,12 +380,12 @@ impl Law for CamClay {
 }
 
 impl CamClay {
-    /// Energy per volume \[J/m³\] under p and q: that which swelling to no pressure gives back, p kappa/(1 - kappa) of
+    /// Energy per volume \[J/m³\] under p and q²: that which swelling to no pressure gives back, p kappa/(1 - kappa) of
     /// the
     /// volume as it is, since p goes as the volume to the power of -1/kappa; and q²/(6 G).
     #[inline(always)]
-    fn stored<L: Lanes>(&self, [p, q]: [L; 2], shear: L) -> L {
-        let of_shear = q * q / (L::splat(6.0) * shear);
+    fn stored<L: Lanes>(&self, [p, square]: [L; 2], shear: L) -> L {
+        let of_shear = square / (L::splat(6.0) * shear);
         p.mul_add(L::splat(self.swelling / (1.0 - self.swelling)), of_shear)
     }
 }

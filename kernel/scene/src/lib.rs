@@ -37,8 +37,8 @@ mod start_error;
 mod values;
 
 pub use values::{
-    Body, BodyEntry, Field, InitialPressure, InitialStress, Location, MOST_CREEP, Material,
-    NodalField, Overburden, Probe, ProbeTarget, ProbedQuantity, Problem, Results, Scene,
+    Body, BodyEntry, Field, HeldPressure, InitialPressure, InitialStress, Location, MOST_CREEP,
+    Material, NodalField, Overburden, Probe, ProbeTarget, ProbedQuantity, Problem, Results, Scene,
     SceneError, StateFile,
 };
 // What a scene is made of beside its own values.

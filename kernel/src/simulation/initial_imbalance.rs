@@ -40,7 +40,7 @@ impl Cycle {
         let found = self.led(Self::unbalanced_force);
         kept.put_back(self);
         let (scale, _) = self.force_of_start();
-        Some(found.ok()? / scale)
+        (scale > 0.0).then_some(found.ok()? / scale)
     }
 
     /// Sum of the magnitudes of the unbalanced forces at the nodes that move freely \[N\].
@@ -71,8 +71,8 @@ impl Cycle {
         Ok(sum.value())
     }
 
-    /// The weight of the bodies, or the force of the largest stress on one side of them where nothing weighs \[N\], and its
-    /// name.
+    /// The weight of the bodies, or the force of the largest stress or pore pressure on one side of them where nothing weighs \[N\],
+    /// and its name.
     fn force_of_start(&self) -> (f64, &'static str) {
         let gravity = self
             .model
@@ -92,10 +92,18 @@ impl Cycle {
         let force = self.state.sets.iter().map(|set| {
             let [volume] = self.sums_over(set, |p| [set.columns[Layout::VOLUME][p]]);
             let stress = (0..set.len()).flat_map(|p| set.stress(p));
-            let mut most = stress.fold(0.0_f64, |most, s| most.max(s.abs()));
+            let pressures = set.layout.pore_pressure();
+            let pressures = pressures.map_or(&[][..], |column| &set.columns[column]);
+            let all = stress.chain(pressures.iter().copied());
+            let mut most = all.fold(0.0_f64, |most, s| most.max(s.abs()));
             self.join_most(std::slice::from_mut(&mut most));
             most * libm::pow(volume, 1.0 - 1.0 / axes as f64)
         });
-        (force.sum(), "force of the stress on a side")
+        let of = if self.work.grid.has_water {
+            "force of the stress or the pore pressure on a side"
+        } else {
+            "force of the stress on a side"
+        };
+        (force.sum(), of)
     }
 }

@@ -10,6 +10,7 @@ use crate::layout::Layout;
 use crate::model::Vector;
 use crate::particles::ParticleSet;
 use crate::simulation::values::{BodyEnergy, BodyHandle, MassCenter};
+use crate::simulation::water::work_of_held_pressure;
 use crate::team::ItemCost;
 use std::sync::{Mutex, PoisonError};
 
@@ -236,7 +237,7 @@ impl Cycle {
         sums.map(|sum| sum.value())
     }
 
-    /// Sum of dead load times position: weight and box loads.
+    /// Sum of dead load times position: weight and box loads; and the work of what holds pore pressures.
     pub(super) fn dead_load_potential(&self) -> f64 {
         self.sum(|set, p| self.dead_load(set, p))
     }
@@ -250,7 +251,8 @@ impl Cycle {
             .layout
             .force
             .map_or([0.0; 3], |first| set.vector(first, p));
-        (0..3).map(|axis| (m * g[axis] + own[axis]) * x[axis]).sum()
+        let load: f64 = (0..3).map(|axis| (m * g[axis] + own[axis]) * x[axis]).sum();
+        load + work_of_held_pressure(set, p)
     }
 
     /// The account of a particle that is removed.

@@ -2,7 +2,7 @@
 
 mod factors;
 
-pub(super) use factors::{Derivatives, FactorKind, Factors, MOST, Weights};
+pub(super) use factors::{Derivatives, FactorKind, Factors, MOST, Weights, WholeFactors};
 
 use crate::grid::{GHOSTS_BELOW, GridShape};
 

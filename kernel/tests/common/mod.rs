@@ -134,6 +134,7 @@ pub fn empty(dimension: Dimension, cells: [usize; 3], h: f64) -> Scene {
         water_pressures: Default::default(),
         standing_waters: vec![],
         initial_pressures: vec![],
+        held_pressures: vec![],
         bodies: vec![],
         initial_state: None,
         surfaces: vec![],

@@ -2,6 +2,7 @@
 
 mod column;
 mod drag;
+mod held;
 mod permeability;
 mod planes;
 mod rest;

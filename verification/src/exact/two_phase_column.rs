@@ -12,6 +12,10 @@
 //!
 //! Terzaghi's solution, both waves of Biot and the undrained limit are limits of this series.
 
+mod sudden;
+
+pub use sudden::{SuddenLoads, SuddenState};
+
 use std::f64::consts::PI;
 
 /// The column.
@@ -86,6 +90,36 @@ impl TwoPhaseColumn {
 
     /// Displacements of a mode at `t`, at the share `s` of the ramp, less the static ones.
     fn mode(&self, m: usize, t: f64, s: f64) -> [f64; 2] {
+        let system = self.system(m);
+        let mut a = [[0.0; 10]; 10];
+        for i in 0..4 {
+            a[i][..4].copy_from_slice(&system.rates[i]);
+        }
+        let top = if m % 2 == 1 { 1.0 } else { -1.0 };
+        let force = -2.0 / self.height * top * self.load / system.root[0];
+        // Powers s^j/j! drive one another, and the load is 60 s³/3! - 360 s⁴/4! + 720 s⁵/5!.
+        for (j, factor) in [(3, 60.0), (4, -360.0), (5, 720.0)] {
+            a[2][4 + j] = factor * force;
+        }
+        for j in 1..6 {
+            a[4 + j][3 + j] = 1.0 / self.ramp;
+        }
+        let risen = exponential(&scaled(&a, s * self.ramp));
+        let mut state: [f64; 4] = std::array::from_fn(|i| risen[i][4]);
+        let at_rest = system.at_rest([force * system.root[0], 0.0]);
+        let share = s * s * s * (10.0 - 15.0 * s + 6.0 * s * s);
+        for i in 0..2 {
+            state[i] -= share * at_rest[i];
+        }
+        let left = t - self.ramp;
+        if left > 0.0 {
+            let decay = exponential(&scaled(&system.rates, left));
+            state = std::array::from_fn(|i| (0..4).map(|j| decay[i][j] * state[j]).sum());
+        }
+        system.displacements([state[0], state[1]])
+    }
+
+    fn system(&self, m: usize) -> ModeSystem {
         let (n, water) = (self.porosity, self.bulk_water);
         let k = wave_number(m, self.height);
         // x = k L^T U and y = M^(1/2) V with L L^T = K: the energy is half their square, so that no state grows.
@@ -103,42 +137,50 @@ impl TwoPhaseColumn {
             (n * self.density_water).sqrt(),
         ];
         let drag = n * n * self.density_water * self.gravity / self.conductivity;
-        let mut a = [[0.0; 10]; 10];
+        let mut rates = [[0.0; 4]; 4];
         let below = [[l00, l10], [0.0, l11]];
         for i in 0..2 {
             for j in 0..2 {
-                a[i][2 + j] = k * below[i][j] / root[j];
-                a[2 + j][i] = -a[i][2 + j];
+                rates[i][2 + j] = k * below[i][j] / root[j];
+                rates[2 + j][i] = -rates[i][2 + j];
                 let sign = if i == j { 1.0 } else { -1.0 };
-                a[2 + i][2 + j] = -sign * drag / (root[i] * root[j]);
+                rates[2 + i][2 + j] = -sign * drag / (root[i] * root[j]);
             }
         }
-        let top = if m % 2 == 1 { 1.0 } else { -1.0 };
-        let force = -2.0 / self.height * top * self.load / root[0];
-        // Powers s^j/j! drive one another, and the load is 60 s³/3! - 360 s⁴/4! + 720 s⁵/5!.
-        for (j, factor) in [(3, 60.0), (4, -360.0), (5, 720.0)] {
-            a[2][4 + j] = factor * force;
+        ModeSystem {
+            k,
+            lower: [l00, l10, l11],
+            root,
+            rates,
         }
-        for j in 1..6 {
-            a[4 + j][3 + j] = 1.0 / self.ramp;
-        }
-        let risen = exponential(&scaled(&a, s * self.ramp));
-        let mut state: [f64; 4] = std::array::from_fn(|i| risen[i][4]);
-        // Static: k² K U = f, and x = k L^T U = L^-1 f/k.
-        let f = force * root[0] / k;
-        let at_rest = [f / l00, -l10 / l11 * f / l00];
-        let share = s * s * s * (10.0 - 15.0 * s + 6.0 * s * s);
-        for i in 0..2 {
-            state[i] -= share * at_rest[i];
-        }
-        let left = t - self.ramp;
-        if left > 0.0 {
-            let free: Square<4> = std::array::from_fn(|i| std::array::from_fn(|j| a[i][j]));
-            let decay = exponential(&scaled(&free, left));
-            state = std::array::from_fn(|i| (0..4).map(|j| decay[i][j] * state[j]).sum());
-        }
-        let second = state[1] / (k * l11);
-        [(state[0] / k - l10 * second) / l00, second]
+    }
+}
+
+/// The equations of a mode: of x and y of [`TwoPhaseColumn::system`].
+struct ModeSystem {
+    /// Wave number, 1/m.
+    k: f64,
+    /// The factor L of the stiffness: 00, 10, 11.
+    lower: [f64; 3],
+    /// Roots of the masses of both.
+    root: [f64; 2],
+    /// Rates of x and y over x and y.
+    rates: Square<4>,
+}
+
+impl ModeSystem {
+    /// x under forces that do not change: k² K U = f, and x = k L^T U = L^-1 f/k.
+    fn at_rest(&self, force: [f64; 2]) -> [f64; 2] {
+        let [l00, l10, l11] = self.lower;
+        let [f, second] = force.map(|force| force / self.k);
+        [f / l00, second / l11 - l10 / l11 * f / l00]
+    }
+
+    /// U of x.
+    fn displacements(&self, x: [f64; 2]) -> [f64; 2] {
+        let ([l00, l10, l11], k) = (self.lower, self.k);
+        let second = x[1] / (k * l11);
+        [(x[0] / k - l10 * second) / l00, second]
     }
 }
 

@@ -3,7 +3,7 @@
 use super::derivative;
 use approx::assert_relative_eq;
 use proctor_verification::exact::consolidation::Layer;
-use proctor_verification::exact::two_phase_column::TwoPhaseColumn;
+use proctor_verification::exact::two_phase_column::{SuddenLoads, TwoPhaseColumn};
 
 fn column(conductivity: f64) -> TwoPhaseColumn {
     let column = TwoPhaseColumn {
@@ -125,4 +125,83 @@ fn means_are_those_of_points() {
         stress,
         max_relative = 1e-4
     );
+}
+
+/// A load that comes on at once is the limit of a short ramp, on whose middle it comes.
+#[test]
+fn a_sudden_load_is_a_short_ramp() {
+    let column = column(1e-3);
+    let column = TwoPhaseColumn {
+        ramp: 1e-6,
+        ..column
+    };
+    let loads = SuddenLoads {
+        load: column.load,
+        ..SuddenLoads::default()
+    };
+    for t in [0.05, 0.2] {
+        let sudden = column.after(loads, t - 0.5 * column.ramp, 200);
+        let ramped = column.at(t, 200);
+        for [low, high] in [[0.0, 0.25], [0.5, 0.75]] {
+            let [a, b] = [
+                ramped.mean_pressure(low, high),
+                sudden.mean_pressure(low, high),
+            ];
+            assert_relative_eq!(a, b, max_relative = 1e-4);
+        }
+        assert_relative_eq!(
+            ramped.displacement(1.0),
+            sudden.displacement(1.0),
+            max_relative = 1e-4
+        );
+    }
+}
+
+/// Under gravity the water comes to rest, and the skeleton under the buoyant weight; a pressure at the start drains as Terzaghi's
+/// series says, all of which it carried.
+#[test]
+fn gravity_and_pressures_at_the_start_come_to_rest() {
+    let column = column(1e-3);
+    let heavy = SuddenLoads {
+        gravity: 9.0,
+        ..SuddenLoads::default()
+    };
+    let rest = column.after(heavy, 50.0, 200);
+    assert_relative_eq!(
+        rest.mean_pressure(0.0, 0.5),
+        9e3 * 0.75,
+        max_relative = 1e-6
+    );
+    let settlement = -0.5 * 0.6 * 1650.0 * 9.0 / 1e7;
+    assert_relative_eq!(rest.displacement(1.0), settlement, max_relative = 1e-6);
+
+    let slow = TwoPhaseColumn {
+        conductivity: 1e-5,
+        ..column
+    };
+    let drained = SuddenLoads {
+        load: 1e3,
+        pressure: 1e3,
+        gravity: 0.0,
+    };
+    let layer = Layer {
+        height: 1.0,
+        confined_modulus: 1e7,
+        storage: 2e8 / 0.4,
+        mobility: 1e-5 / 1e4,
+        load: 1e3,
+    };
+    // The series of a load that comes on at once begins with its undrained pressure.
+    let share = 1e3 / layer.undrained_pressure();
+    for t in [5.0, 20.0, 50.0] {
+        let state = slow.after(drained, t, 400);
+        let exact = share * layer.pressure(0.1, t, 0.0);
+        assert_relative_eq!(
+            state.mean_pressure(0.099, 0.101),
+            exact,
+            max_relative = 1e-3
+        );
+    }
+    let gone = slow.after(drained, 1e4, 400);
+    assert_relative_eq!(gone.displacement(1.0), -1e3 / 1e7, max_relative = 1e-6);
 }

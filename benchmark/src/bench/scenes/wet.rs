@@ -46,9 +46,9 @@ pub(super) fn consolidation(block: &Block) -> Made {
     Made { scene, exact: None }
 }
 
-/// A scene of soil and water without the water: the soil alone, with the same steps.
-#[must_use]
-pub fn dry(mut scene: Value) -> Value {
+/// The layer without its water: the soil alone, with the same steps.
+pub(super) fn dry(block: &Block) -> Made {
+    let mut scene = consolidation(block).scene;
     let drop = |of: &mut Value, keys: &[&str]| {
         if let Some(of) = of.as_object_mut() {
             of.retain(|key, _| !keys.contains(&key.as_str()));
@@ -63,5 +63,5 @@ pub fn dry(mut scene: Value) -> Value {
         "hydraulic_conductivity",
     ];
     drop(&mut scene["material"][0], &of_water);
-    scene
+    Made { scene, exact: None }
 }

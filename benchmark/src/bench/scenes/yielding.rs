@@ -6,6 +6,9 @@ use serde_json::{Value, json};
 /// Strength that no particle reaches \[Pa\], and one that all are beyond after a step.
 const HIGH: f64 = 1e9;
 const LOW: f64 = 1.0;
+/// Slope of the swelling of a clay and the pressure \[Pa\] on it at the start, whose ratio is the bulk modulus of all scenes.
+const SWELLING: f64 = 0.02;
+const PRESSURE: f64 = SWELLING * YOUNG / (3.0 * (1.0 - 2.0 * POISSON));
 
 /// A block cut across the first axis into slabs a cell thick that move along the second, each faster than the one before:
 /// without contact they share a velocity, and all of the block is sheared, by eight tenths of a thousandth in a step. Its
@@ -25,6 +28,9 @@ pub(super) fn slabs(block: &Block, kind: &str, yields: bool) -> Made {
             let mut velocity = vec![0.0; block.axes];
             velocity[1] = (i as f64 - 0.5 * count as f64) * H;
             slab["initial_velocity"] = velocity.into();
+            if kind == "cam_clay" {
+                slab["initial_stress"] = json!({ "type": "isotropic", "value": -PRESSURE });
+            }
             slab
         })
         .collect();
@@ -36,14 +42,19 @@ pub(super) fn slabs(block: &Block, kind: &str, yields: bool) -> Made {
 /// A material with the elasticity of all scenes, and the yield surface of a kind.
 fn law(kind: &str, yields: bool) -> Value {
     let strength = if yields { LOW } else { HIGH };
-    let mut law = json!({
-        "id": 1, "type": kind, "young": YOUNG, "density": DENSITY, "poisson": POISSON,
-    });
+    let mut law = json!({ "id": 1, "type": kind, "density": DENSITY, "poisson": POISSON });
+    if kind != "cam_clay" {
+        law["young"] = YOUNG.into();
+    }
     let own = match kind {
         "von_mises" => json!({ "yield_stress": strength, "hardening": 1e4 }),
         "drucker_prager" | "mohr_coulomb" => {
             json!({ "friction": 30, "cohesion": strength, "dilation": 5 })
         }
+        "cam_clay" => json!({
+            "critical_ratio": 1, "reference_pressure": PRESSURE, "swelling": SWELLING, "compression": 5.0 * SWELLING,
+            "overconsolidation": if yields { 1.0 } else { 100.0 },
+        }),
         _ => json!({}),
     };
     for (key, value) in own.as_object().into_iter().flatten() {

@@ -3,6 +3,7 @@
 use super::build::Build;
 use super::keys::{RawEarthquake, RawScene};
 use super::lists::VectorOrTable;
+use super::materials::entry_path;
 use super::words::{BASES, Base, PLANES, QUANTITIES, Quantity, RECORDED_MOTIONS, RecordedMotion};
 use crate::records;
 use proctor_scene::{BaseMotion, BoxLoad, HeldBox, History, Motion, PointLoad, Scene, Traction};
@@ -54,6 +55,18 @@ impl Build<'_> {
                 p1: self.vector(&key("point_p1"), raw.point_p1.as_ref(), lower),
                 p2: self.vector(&key("point_p2"), raw.point_p2.as_ref(), upper),
                 force: self.vector(&key("force"), raw.force.as_ref(), "the total force [N]"),
+            });
+        }
+        let distributed = raw.load_distributed_box.iter().flat_map(|all| &all.0);
+        for (i, (name, raw)) in distributed.enumerate() {
+            let path = entry_path("load_distributed_box", i, name.as_deref());
+            let own = format!("box_load[{}]", scene.box_loads.len());
+            self.spelt(own, path.clone());
+            let key = |key: &str| format!("{path}.{key}");
+            scene.box_loads.push(BoxLoad {
+                p1: self.vector(&key("point_p1"), raw.point_p1.as_ref(), lower),
+                p2: self.vector(&key("point_p2"), raw.point_p2.as_ref(), upper),
+                force: self.vector(&key("load"), raw.load.as_ref(), "the total force [N]"),
             });
         }
     }

@@ -1,13 +1,14 @@
 //! Pore water from its keys.
 
 use super::build::Build;
-use super::keys::{RawScene, RawWaterLevels, RawWaterPlanes, RawWaterPressures};
+use super::keys::{RawPressureBox, RawScene, RawWaterLevels, RawWaterPlanes, RawWaterPressures};
 use super::lists::NumberOrTable;
 use super::material_keys::RawMaterial;
 use super::materials::entry_path;
 use super::words::{PERMEABILITIES, PLANES, WATER_CONDITIONS};
 use proctor_scene::{
-    History, InitialPressure, PlaneCondition, PlanePressure, PoreWater, Scene, Shore, StandingWater,
+    HeldPressure, History, InitialPressure, PlaneCondition, PlanePressure, PoreWater, Scene, Shore,
+    StandingWater,
 };
 
 /// Names of the planes, with the axis of their normal and their side.
@@ -25,6 +26,9 @@ const GRAVITY: f64 = 9.81;
 
 /// Density of water that stands beside bodies, where none is given \[kg/m³\].
 const WATER: f64 = 1000.0;
+
+/// The words for a pore pressure that is missing.
+const PORE_PRESSURE: &str = "the pore pressure, a number [Pa]";
 
 impl Build<'_> {
     /// The water of all materials, where there are two phases.
@@ -87,6 +91,7 @@ impl Build<'_> {
                 .push(InitialPressure::Table { level });
         }
         self.pressures(raw, scene);
+        self.held_pressures(raw, scene);
     }
 
     /// Planes at which a pressure is given.
@@ -220,7 +225,6 @@ impl Build<'_> {
     }
 
     fn pressures(&mut self, raw: &RawScene, scene: &mut Scene) {
-        let accepted = "the pore pressure, a number [Pa]";
         let key = "initial_pressure_material";
         for (i, (name, raw)) in raw
             .initial_pressure_material
@@ -237,39 +241,48 @@ impl Build<'_> {
                 self.missing(format!("{path}.material_id"), "the `id` of a material");
                 i64::MIN
             });
-            let pressure = self.number(&format!("{path}.pressure"), raw.pressure, accepted);
+            let pressure = self.number(&format!("{path}.pressure"), raw.pressure, PORE_PRESSURE);
             scene
                 .initial_pressures
                 .push(InitialPressure::Material { id, pressure });
         }
-        let key = "initial_pressure_box";
         for (i, (name, raw)) in raw
             .initial_pressure_box
             .iter()
             .flat_map(|all| &all.0)
             .enumerate()
         {
-            let path = entry_path(key, i, name.as_deref());
+            let path = entry_path("initial_pressure_box", i, name.as_deref());
             self.spelt(
                 format!("initial_pressures[{}]", scene.initial_pressures.len()),
                 path.clone(),
             );
-            let key = |key: &str| format!("{path}.{key}");
-            let p1 = self.vector(
-                &key("point_p1"),
-                raw.point_p1.as_ref(),
-                "the lower corner [m]",
-            );
-            let p2 = self.vector(
-                &key("point_p2"),
-                raw.point_p2.as_ref(),
-                "the upper corner [m]",
-            );
-            let pressure = self.number(&key("pressure"), raw.pressure, accepted);
+            let ([p1, p2], pressure) = self.pressure_box(&path, raw);
             scene
                 .initial_pressures
                 .push(InitialPressure::Box { p1, p2, pressure });
         }
+    }
+
+    /// Pore pressures that particles keep.
+    fn held_pressures(&mut self, raw: &RawScene, scene: &mut Scene) {
+        let all = raw.prescribed_pressure_box.iter().flat_map(|all| &all.0);
+        for (i, (name, raw)) in all.enumerate() {
+            let path = entry_path("prescribed_pressure_box", i, name.as_deref());
+            self.spelt(format!("held_pressures[{i}]"), path.clone());
+            let ([p1, p2], pressure) = self.pressure_box(&path, raw);
+            (scene.held_pressures).push(HeldPressure { p1, p2, pressure });
+        }
+    }
+
+    /// The corners of a box and the pore pressure in it.
+    fn pressure_box(&mut self, path: &str, raw: &RawPressureBox) -> ([[f64; 3]; 2], f64) {
+        let key = |key: &str| format!("{path}.{key}");
+        let (lower, upper) = ("the lower corner [m]", "the upper corner [m]");
+        let p1 = self.vector(&key("point_p1"), raw.point_p1.as_ref(), lower);
+        let p2 = self.vector(&key("point_p2"), raw.point_p2.as_ref(), upper);
+        let pressure = self.number(&key("pressure"), raw.pressure, PORE_PRESSURE);
+        ([p1, p2], pressure)
     }
 
     fn water_of(&mut self, path: &str, raw: &RawMaterial) -> PoreWater {
@@ -346,6 +359,10 @@ impl Build<'_> {
                 raw.initial_pressure_material.is_some(),
             ),
             ("initial_pressure_box", raw.initial_pressure_box.is_some()),
+            (
+                "prescribed_pressure_box",
+                raw.prescribed_pressure_box.is_some(),
+            ),
         ] {
             if is {
                 paths.push(path.to_owned());

@@ -194,9 +194,8 @@ fn keys_of_other_programs_are_answered() {
     let answers = [
         ("", "load_state", "--restart"),
         ("", "save_state", "`results.checkpoint`"),
-        ("", "load_distributed_box", "`box_load`"),
+        ("", "no_load_distributed_box", "switched off"),
         ("", "hydro_mechanical_coupling", "not covered"),
-        ("", "prescribed_pressure_box", "not covered"),
         ("", "pressure_force_box", "not covered"),
         ("", "dtFraction", "`critical_time_step_multiplier`"),
         ("", "nThreads", "`n_threads`"),

@@ -118,6 +118,13 @@ pub(super) fn describe(plan: &Plan, scene: &Scene, demands: PlanOptions) -> Vec<
             "pore water",
             "a velocity field of its own, drag implicit at the nodes; (w - v) . grad w is left out",
         );
+        list.choose(
+            "particle field",
+            "pore pressure that is held",
+            any(|l| l.held_pressure.is_some()),
+            "particles in a box keep their pore pressure",
+            "no pore pressure is prescribed",
+        );
     }
     let mut variables: Vec<String> = vec![];
     for body in &scene.bodies {

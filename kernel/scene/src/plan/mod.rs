@@ -54,6 +54,7 @@ pub(crate) fn layouts(scene: &Scene, demands: PlanOptions) -> Vec<Layout> {
                     force: own_force,
                     axisymmetric: scene.mesh.axisymmetric,
                     water: scene.water_of(body.material).is_some(),
+                    held_pressure: !scene.held_pressures.is_empty(),
                 },
                 law.variables(),
             )

@@ -128,8 +128,10 @@ fn particles_of_body(
             set.columns[first + axis * axes + axis].fill(1.0);
         }
     }
-    if let Some(hoop) = layout.hoop_stretch() {
-        set.columns[hoop].fill(1.0);
+    for column in [layout.hoop_stretch(), layout.held_pressure] {
+        if let Some(column) = column {
+            set.columns[column].fill(1.0);
+        }
     }
     let half_length = half_lengths(scene, &filled.half_length);
     let widest = fill_half_lengths(&mut set, scene, &filled.half_length, &half_length);

@@ -90,6 +90,12 @@ pub(crate) fn set_up(scene: &Scene, options: &Options) -> Result<Cycle, SetupErr
             reason,
         })?;
     }
+    for (i, held) in scene.held_pressures.iter().enumerate() {
+        pressure::hold(held, scene, &mut sets, part).map_err(|reason| SetupError::Load {
+            path: format!("held_pressures[{i}]"),
+            reason,
+        })?;
+    }
     if let Some(start) = &options.start {
         start_state::take_all(&mut sets, &mut all_found, scene, start)?;
     }
@@ -234,13 +240,8 @@ fn spread(
     sets: &mut [ParticleSet],
     part: Option<&RankPart>,
 ) -> Result<(), String> {
-    let inside = |set: &ParticleSet, p: usize| {
-        let x = set.position(p);
-        (0..set.layout.axes).all(|axis| {
-            let x = x[axis] + scene.mesh.origin[axis];
-            load.p1[axis] <= x && x <= load.p2[axis]
-        })
-    };
+    let corners = [&load.p1, &load.p2];
+    let inside = |set: &ParticleSet, p: usize| pressure::lies_in(set, p, scene, corners);
     let mut volume = 0.0;
     for set in &*sets {
         let add = |volume: f64| {
@@ -253,10 +254,7 @@ fn spread(
         };
     }
     if volume <= 0.0 {
-        return Err(format!(
-            "no particle lies in the box {:?} to {:?} m",
-            load.p1, load.p2
-        ));
+        return Err(pressure::no_particle(corners));
     }
     for set in sets {
         let Some(first) = set.layout.force else {

@@ -126,12 +126,10 @@ fn take(
                 Some(values) if start.keeps_velocity => values.to_vec(),
                 _ => vec![0.0; state.particles.len()],
             },
-            Role::Force => {
-                // Forces were spread over the particles with which the body was filled.
+            Role::Filled(what, accepted) => {
                 if place_of_rank.len() != rank.len() {
                     return Err(refused(format!(
-                        "it has {} particles where the body is filled with {}, over which the box loads are spread; accepted: \
-                         as many, or no box loads",
+                        "it has {} particles where the body is filled with {}, {what}; accepted: as many, or {accepted}",
                         rank.len(),
                         place_of_rank.len()
                     )));
@@ -145,6 +143,13 @@ fn take(
             }
         };
         columns.push(values);
+    }
+    if let (Some(held), Some(pressure)) = (set.layout.held_pressure, set.layout.pore_pressure()) {
+        for (p, rank) in rank.iter().enumerate() {
+            if columns[held][p] == 0.0 {
+                columns[pressure][p] = set.columns[pressure][place_of_rank[*rank]];
+            }
+        }
     }
     set.columns = columns;
     set.id = rank.iter().map(|r| *r as u64).collect();
@@ -190,7 +195,8 @@ enum Role {
     Position(usize),
     Velocity,
     Affine,
-    Force,
+    /// That of the particles with which the body was filled: what they were given, and the way without.
+    Filled(&'static str, &'static str),
     Kept,
 }
 
@@ -209,7 +215,12 @@ impl Role {
         } else if within(layout.affine, axes * axes) {
             Self::Affine
         } else if within(layout.force, axes) {
-            Self::Force
+            Self::Filled("over which the box loads are spread", "no box loads")
+        } else if within(layout.held_pressure, 2) {
+            Self::Filled(
+                "some of which keep a pore pressure",
+                "no `prescribed_pressure_box`",
+            )
         } else {
             Self::Kept
         }

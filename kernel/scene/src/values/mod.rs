@@ -24,7 +24,7 @@ pub use initial_stress::InitialStress;
 pub use material::Material;
 pub use mortar::MOST_CREEP;
 pub use overburden::Overburden;
-pub use pressure::InitialPressure;
+pub use pressure::{HeldPressure, InitialPressure};
 pub use results::{Field, NodalField, Probe, ProbeTarget, ProbedQuantity, Results};
 pub use state_file::StateFile;
 
@@ -75,6 +75,8 @@ pub struct Scene {
     pub standing_waters: Vec<StandingWater>,
     /// Pore pressures at the start.
     pub initial_pressures: Vec<InitialPressure>,
+    /// Pore pressures that particles keep, in their order: of two boxes that overlap the later one counts.
+    pub held_pressures: Vec<HeldPressure>,
     /// Bodies, in the order of the file.
     pub bodies: Vec<Body>,
     /// The run from whose end bodies begin, if any.
@@ -144,6 +146,7 @@ impl Scene {
             water_pressures: Default::default(),
             standing_waters: Vec::new(),
             initial_pressures: Vec::new(),
+            held_pressures: Vec::new(),
             bodies: Vec::new(),
             initial_state: None,
             surfaces: Vec::new(),
@@ -269,6 +272,7 @@ impl Scene {
             drives_bodies: bodies.clone().any(|body| body.motion.is_some()),
             starts_stressed: self.initial_state.is_some()
                 || !self.initial_pressures.is_empty()
+                || !self.held_pressures.is_empty()
                 || bodies.any(|body| body.initial_stress != InitialStress::None),
             outside: self.outside,
             on_imbalance: self.on_imbalance,

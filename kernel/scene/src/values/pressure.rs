@@ -1,4 +1,4 @@
-//! Pore pressures at the start.
+//! Pore pressures that are given: at the start, and held.
 
 use proctor_kernel::model::Vector;
 
@@ -26,4 +26,15 @@ pub enum InitialPressure {
         /// Pressure \[Pa\].
         pressure: f64,
     },
+}
+
+/// Pore pressure that the particles whose centres lie in a box at the start keep.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HeldPressure {
+    /// Lower corner \[m\].
+    pub p1: Vector,
+    /// Upper corner \[m\].
+    pub p2: Vector,
+    /// Pressure \[Pa\].
+    pub pressure: f64,
 }

@@ -78,3 +78,9 @@ fn water_mass(water: &PoreWater, set: &ParticleSet, p: usize) -> f64 {
     let porosity = water.porosity_of(set.columns[Layout::MASS][p], volume);
     porosity * water.density * volume
 }
+
+/// Work that what holds the pore pressure of a particle has done \[J\].
+pub(in crate::simulation) fn work_of_held_pressure(set: &ParticleSet, p: usize) -> f64 {
+    let held = set.layout.held_pressure;
+    held.map_or(0.0, |held| set.columns[held + 1][p])
+}

@@ -17,5 +17,6 @@ mod nodes;
 mod open;
 
 pub(super) use gather::exchanges_per_step;
+pub(super) use measure::work_of_held_pressure;
 pub(super) use nodes::{drag, porosity_at, share_beyond, split};
 pub(super) use open::fold_open;

@@ -1,7 +1,8 @@
 //! Nodes to the pore water of particles: its velocity and the pressure; lanes = particles.
 //!
 //! `w_p` = s `w_p` + sum_I S_Ip a_I, `p_p` = `p_p` - (`K_w`/n) dt sum_I grad S_Ip . u_I, with the kick a and the mean velocity u of
-//! the nodes.
+//! the nodes. A pressure that is held does not change, and what holds it does the work V p dt sum_I grad S_Ip . u_I that a
+//! change would have taken from the water.
 
 use super::reach::{Bases, BlockReach, MOST, Rows};
 use crate::grid::Line;
@@ -142,10 +143,17 @@ fn gather<L: Lanes, const D: usize, const N: usize, const R: usize>(
     let mass = load::<L>(call.columns[Layout::MASS], at, count);
     let volume = load::<L>(call.columns[Layout::VOLUME], at, count);
     let porosity = L::splat(1.0) - mass / (L::splat(water.grain_density) * volume);
-    let column = &mut *call.columns[first + D];
-    let change = L::splat(water.bulk * dt) / porosity * divergence;
-    let pressure = load::<L>(column, at, count) - change;
-    store(pressure, column, at, count);
+    let mut change = L::splat(water.bulk * dt) / porosity * divergence;
+    let before = load::<L>(call.columns[first + D], at, count);
+    if let Some(held) = call.layout.held_pressure {
+        let share = load::<L>(call.columns[held], at, count);
+        change = share * change;
+        let work = volume * before * (L::splat(dt) * divergence);
+        let column = &mut *call.columns[held + 1];
+        let sum = (L::splat(1.0) - share).mul_add(work, load::<L>(column, at, count));
+        store(sum, column, at, count);
+    }
+    store(before - change, call.columns[first + D], at, count);
     // One by one: what `map` calls is not always inlined, and then compiled without the lanes.
     let [low, high] = [L::splat(POROSITIES[0]), L::splat(POROSITIES[1])];
     let sound = L::bits(low.lt(porosity)) & L::bits(porosity.lt(high));

@@ -5,10 +5,10 @@
 
 use super::runs::Runs;
 use crate::grid::Line;
-use crate::lanes::{Backend, Kernel, Quad, SelectedLanes, load};
+use crate::lanes::{Backend, Kernel, Lanes, Quad, SelectedLanes, load};
 use crate::layout::Layout;
 use crate::model::{Permeability, PoreWater};
-use crate::stage::water::{Derivatives, FactorKind, Factors, MOST, Weights};
+use crate::stage::water::{Derivatives, FactorKind, Factors, MOST, Weights, WholeFactors};
 use crate::stage::{Mapping, block_at};
 use crate::weights::base_offset;
 use std::ops::Range;
@@ -74,6 +74,8 @@ impl<const D: usize, const N: usize, const REMAP: bool> Kernel for Instance<'_, 
             return;
         };
         let averaged = call.carry == WaterCarry::All { averaged: true };
+        // Means over cells go with some numbers of a half only.
+        let whole = B::WHOLE_LINE && !REMAP && !averaged;
         let (columns, mapping) = (call.columns, call.mapping);
         let mut factors = Factors::<N>::new();
         let mut lines = Lines::new();
@@ -89,14 +91,24 @@ impl<const D: usize, const N: usize, const REMAP: bool> Kernel for Instance<'_, 
                 block.count = whole_runs::<D, N>(columns, mapping, at, block.count, layer.end);
                 let runs = Runs::of::<B::Line, D>(&block, mapping);
                 if runs.reach::<D, N, false>(&onto.planes) {
-                    factors.fill::<B::Half, _, D>(columns, mapping, averaged, at, block.count);
+                    if whole {
+                        factors.fill_whole::<B::Line, _, D>(columns, mapping, &block, at);
+                    } else {
+                        factors.fill::<B::Half, _, D>(columns, mapping, averaged, at, block.count);
+                    }
                     lines.fill::<B::Half, D, REMAP>(columns, first, call.water, at, block.count);
                     let mut next = 0;
                     while next < block.count {
                         let run = runs.from(next);
                         next = run.end;
                         let base = runs.base::<D, false>(run.start);
-                        onto.add::<B::Half, D, N, REMAP>(&factors, &lines, &run, base);
+                        if whole {
+                            onto.add::<Whole, B::Line, D, N>(&factors, &lines, &run, base);
+                        } else if REMAP {
+                            onto.add::<SecondMomentum, B::Half, D, N>(&factors, &lines, &run, base);
+                        } else {
+                            onto.add::<Halves, B::Half, D, N>(&factors, &lines, &run, base);
+                        }
                     }
                 }
                 at += block.count;
@@ -131,22 +143,15 @@ fn whole_runs<const D: usize, const N: usize>(
     if whole == 0 { count } else { whole }
 }
 
-/// Numbers that a block of particles gives to nodes, `[particle][number]`.
+/// Numbers that a block of particles gives to nodes, `[particle][number]`: the lower half goes with the weights, the upper one
+/// with derivatives, but for the last number.
 #[repr(align(64))]
-struct Lines {
-    /// Goes with the weights.
-    lower: [[f64; 4]; MOST],
-    /// Goes with derivatives, but for the last number.
-    upper: [[f64; 4]; MOST],
-}
+struct Lines([[f64; 8]; MOST]);
 
 impl Lines {
     #[inline(always)]
     fn new() -> Self {
-        Self {
-            lower: [[0.0; 4]; MOST],
-            upper: [[0.0; 4]; MOST],
-        }
+        Self([[0.0; 8]; MOST])
     }
 
     /// That of `count` particles from `at`, whose columns of the water begin at `first`.
@@ -178,25 +183,25 @@ impl Lines {
             } else {
                 [of_water, x, y, z]
             };
-            store_lines::<Q>(lower, &mut self.lower[done..done + 4]);
+            store_lines::<Q>(lower, 0, &mut self.0[done..done + 4]);
             if !REMAP {
                 let drag = drag::<Q>(water, mass, volume, pores);
                 let force = volume * load::<Q>(&columns[first + D], from, part);
                 let along_z = if D == 3 { force } else { zero };
                 let upper = [force, force, along_z, drag];
-                store_lines::<Q>(upper, &mut self.upper[done..done + 4]);
+                store_lines::<Q>(upper, 4, &mut self.0[done..done + 4]);
             }
             done += 4;
         }
     }
 }
 
-/// Stores numbers, lanes = particles, as a line of each particle.
+/// Stores numbers, lanes = particles, as a half of the line of each particle that begins at a lane.
 #[inline(always)]
-fn store_lines<Q: Quad>(numbers: [Q; 4], lines: &mut [[f64; 4]]) {
+fn store_lines<Q: Quad>(numbers: [Q; 4], lane: usize, lines: &mut [[f64; 8]]) {
     let turned = Q::transpose(numbers);
     for p in 0..4 {
-        turned[p].store(&mut lines[p]);
+        turned[p].store(&mut lines[p][lane..]);
     }
 }
 
@@ -217,53 +222,91 @@ fn drag<Q: Quad>(water: &PoreWater, mass: Q, volume: Q, pores: Q) -> Q {
     drag
 }
 
-/// Half of a node, and what is added to it.
-trait Half {
-    /// First lane.
-    const LANE: usize;
+/// Some lanes of a node, what is added to them, and its factors.
+trait Part {
+    /// First lane of the node.
+    const NODE: usize;
+    /// First number of the line of a particle.
+    const LINE: usize;
     /// Factors that it goes with.
     type Factors: FactorKind;
-
-    /// The line of a particle.
-    fn line<Q: Quad>(lines: &Lines, p: usize) -> Q;
 }
 
 /// Mass and momentum.
 struct Lower;
 
-impl Half for Lower {
-    const LANE: usize = 0;
+impl Part for Lower {
+    const NODE: usize = 0;
+    const LINE: usize = 0;
     type Factors = Weights;
-
-    #[inline(always)]
-    fn line<Q: Quad>(lines: &Lines, p: usize) -> Q {
-        Q::load(&lines.lower[p])
-    }
 }
 
 /// Force and drag.
 struct Upper;
 
-impl Half for Upper {
-    const LANE: usize = 4;
+impl Part for Upper {
+    const NODE: usize = 4;
+    const LINE: usize = 4;
     type Factors = Derivatives;
-
-    #[inline(always)]
-    fn line<Q: Quad>(lines: &Lines, p: usize) -> Q {
-        Q::load(&lines.upper[p])
-    }
 }
 
 /// Momentum of the second mapping.
 struct SecondMomentum;
 
-impl Half for SecondMomentum {
-    const LANE: usize = 4;
+impl Part for SecondMomentum {
+    const NODE: usize = 4;
+    const LINE: usize = 0;
     type Factors = Weights;
+}
 
+/// All numbers at once, where a node is one register.
+struct Whole;
+
+impl Part for Whole {
+    const NODE: usize = 0;
+    const LINE: usize = 0;
+    type Factors = WholeFactors;
+}
+
+/// Parts of a node, one after the other.
+trait Parts {
+    /// Adds a run to so many rows.
+    fn add<L: Lanes, const D: usize, const N: usize, const ROWS: usize>(
+        onto: &mut OwnedNodes<'_>,
+        factors: &Factors<N>,
+        lines: &Lines,
+        run: &Range<usize>,
+        below: &StencilPart,
+    );
+}
+
+impl<P: Part> Parts for P {
     #[inline(always)]
-    fn line<Q: Quad>(lines: &Lines, p: usize) -> Q {
-        Q::load(&lines.lower[p])
+    fn add<L: Lanes, const D: usize, const N: usize, const ROWS: usize>(
+        onto: &mut OwnedNodes<'_>,
+        factors: &Factors<N>,
+        lines: &Lines,
+        run: &Range<usize>,
+        below: &StencilPart,
+    ) {
+        onto.add_rows::<P, L, D, N, ROWS>(factors, lines, run, below);
+    }
+}
+
+/// [`Lower`] and [`Upper`].
+struct Halves;
+
+impl Parts for Halves {
+    #[inline(always)]
+    fn add<L: Lanes, const D: usize, const N: usize, const ROWS: usize>(
+        onto: &mut OwnedNodes<'_>,
+        factors: &Factors<N>,
+        lines: &Lines,
+        run: &Range<usize>,
+        below: &StencilPart,
+    ) {
+        onto.add_rows::<Lower, L, D, N, ROWS>(factors, lines, run, below);
+        onto.add_rows::<Upper, L, D, N, ROWS>(factors, lines, run, below);
     }
 }
 
@@ -289,7 +332,7 @@ struct OwnedNodes<'a> {
 impl OwnedNodes<'_> {
     /// Adds a run of a block with a base node.
     #[inline(always)]
-    fn add<Q: Quad, const D: usize, const N: usize, const REMAP: bool>(
+    fn add<P: Parts, L: Lanes, const D: usize, const N: usize>(
         &mut self,
         factors: &Factors<N>,
         lines: &Lines,
@@ -308,7 +351,7 @@ impl OwnedNodes<'_> {
                 first: (own.start - self.planes.start) * length + along,
                 length,
             };
-            self.add_halves::<Q, D, N, REMAP>(factors, lines, run, below);
+            self.add_parts::<P, L, D, N>(factors, lines, run, below);
             return;
         }
         for plane in own {
@@ -319,12 +362,12 @@ impl OwnedNodes<'_> {
                 first: row * length + along,
                 length,
             };
-            self.add_halves::<Q, D, N, REMAP>(factors, lines, run, below);
+            self.add_parts::<P, L, D, N>(factors, lines, run, below);
         }
     }
 
     #[inline(always)]
-    fn add_halves<Q: Quad, const D: usize, const N: usize, const REMAP: bool>(
+    fn add_parts<P: Parts, L: Lanes, const D: usize, const N: usize>(
         &mut self,
         factors: &Factors<N>,
         lines: &Lines,
@@ -334,13 +377,13 @@ impl OwnedNodes<'_> {
         // As many rows at once as sums fit the registers.
         while !below.rows.is_empty() {
             let count = if N == 3 && below.rows.len() == 3 {
-                self.add_both::<Q, D, N, 3, REMAP>(factors, lines, run, &below);
+                P::add::<L, D, N, 3>(self, factors, lines, run, &below);
                 3
             } else if N != 3 && below.rows.len() > 1 {
-                self.add_both::<Q, D, N, 2, REMAP>(factors, lines, run, &below);
+                P::add::<L, D, N, 2>(self, factors, lines, run, &below);
                 2
             } else {
-                self.add_both::<Q, D, N, 1, REMAP>(factors, lines, run, &below);
+                P::add::<L, D, N, 1>(self, factors, lines, run, &below);
                 1
             };
             below.rows.start += count;
@@ -349,48 +392,32 @@ impl OwnedNodes<'_> {
     }
 
     #[inline(always)]
-    fn add_both<Q: Quad, const D: usize, const N: usize, const ROWS: usize, const REMAP: bool>(
+    fn add_rows<P: Part, L: Lanes, const D: usize, const N: usize, const ROWS: usize>(
         &mut self,
         factors: &Factors<N>,
         lines: &Lines,
         run: &Range<usize>,
         below: &StencilPart,
     ) {
-        if REMAP {
-            self.add_rows::<SecondMomentum, Q, D, N, ROWS>(factors, lines, run, below);
-        } else {
-            self.add_rows::<Lower, Q, D, N, ROWS>(factors, lines, run, below);
-            self.add_rows::<Upper, Q, D, N, ROWS>(factors, lines, run, below);
-        }
-    }
-
-    #[inline(always)]
-    fn add_rows<H: Half, Q: Quad, const D: usize, const N: usize, const ROWS: usize>(
-        &mut self,
-        factors: &Factors<N>,
-        lines: &Lines,
-        run: &Range<usize>,
-        below: &StencilPart,
-    ) {
-        let mut sums = [[Q::splat(0.0); N]; ROWS];
+        let mut sums = [[L::splat(0.0); N]; ROWS];
         for r in 0..ROWS {
             let row = &self.nodes[below.first + r * below.length..][..N];
             for k in 0..N {
-                sums[r][k] = Q::load(&row[k][H::LANE..H::LANE + 4]);
+                sums[r][k] = L::load(&row[k][P::NODE..]);
             }
         }
         for p in run.clone() {
-            let mut line = H::line::<Q>(lines, p);
+            let mut line = L::load(&lines.0[p][P::LINE..]);
             if D == 3 {
-                line = H::Factors::of::<Q, N>(factors, 0, below.plane, p) * line;
+                line = P::Factors::of::<L, N>(factors, 0, below.plane, p) * line;
             }
             let mut along = [line; N];
             for k in 0..N {
-                along[k] = H::Factors::of::<Q, N>(factors, D - 1, k, p);
+                along[k] = P::Factors::of::<L, N>(factors, D - 1, k, p);
             }
             for r in 0..ROWS {
                 let row = below.rows.start + r;
-                let of_row = H::Factors::of::<Q, N>(factors, D - 2, row, p) * line;
+                let of_row = P::Factors::of::<L, N>(factors, D - 2, row, p) * line;
                 for k in 0..N {
                     sums[r][k] = along[k].mul_add(of_row, sums[r][k]);
                 }
@@ -399,7 +426,7 @@ impl OwnedNodes<'_> {
         for r in 0..ROWS {
             let row = &mut self.nodes[below.first + r * below.length..][..N];
             for k in 0..N {
-                sums[r][k].store(&mut row[k][H::LANE..H::LANE + 4]);
+                sums[r][k].store(&mut row[k][P::NODE..]);
             }
         }
     }

@@ -3,9 +3,11 @@
 //! A gradient of products of weights has, for its component along an axis, the derivative along this axis and the weights along
 //! the others. A line of factors along an axis has one factor for each component: so the product of the lines along all axes is that
 //! of all components. Its last number goes with the weights alone.
+//!
+//! Where a node is one register, its factors are formed when they are needed: weights, but for the number of the derivative.
 
-use crate::lanes::Quad;
-use crate::stage::{Mapping, block_at, weights_of};
+use crate::lanes::{Lanes, Quad};
+use crate::stage::{Block, Mapping, block_at, weights_of};
 use crate::weights::cell_mean_weights;
 
 /// Most particles of a block.
@@ -21,6 +23,8 @@ pub(in crate::stage) struct Factors<const N: usize> {
     lines: [[[[f64; NUMBERS]; MOST]; N]; 3],
     /// Weights, `[axis][node][particle]`.
     weights: [[[f64; MOST]; N]; 3],
+    /// Derivatives in 1/m, `[axis][node][particle]`.
+    derivatives: [[[f64; MOST]; N]; 3],
 }
 
 impl<const N: usize> Factors<N> {
@@ -29,6 +33,26 @@ impl<const N: usize> Factors<N> {
         Self {
             lines: [[[[0.0; NUMBERS]; MOST]; N]; 3],
             weights: [[[0.0; MOST]; N]; 3],
+            derivatives: [[[0.0; MOST]; N]; 3],
+        }
+    }
+
+    /// Weights and derivatives of a block that begins at particle `at`, without lines.
+    #[inline(always)]
+    pub(in crate::stage) fn fill_whole<L: Lanes, C: AsRef<[f64]>, const D: usize>(
+        &mut self,
+        columns: &[C],
+        mapping: &Mapping,
+        block: &Block<L>,
+        at: usize,
+    ) {
+        let (w, g) = weights_of::<L, _, D, N, false, false>(columns, mapping, block, at);
+        for axis in 0..D {
+            let scale = L::splat(mapping.inverse_cell[axis]);
+            for n in 0..N {
+                w[axis][n].store(&mut self.weights[axis][n]);
+                (scale * g[axis][n]).store(&mut self.derivatives[axis][n]);
+            }
         }
     }
 
@@ -73,7 +97,7 @@ impl<const N: usize> Factors<N> {
 /// Kind of the factors of a sum.
 pub(in crate::stage) trait FactorKind {
     /// Factors of a particle for a node along an axis.
-    fn of<Q: Quad, const N: usize>(factors: &Factors<N>, axis: usize, node: usize, p: usize) -> Q;
+    fn of<L: Lanes, const N: usize>(factors: &Factors<N>, axis: usize, node: usize, p: usize) -> L;
 }
 
 /// The weights, for all numbers alike.
@@ -81,8 +105,8 @@ pub(in crate::stage) struct Weights;
 
 impl FactorKind for Weights {
     #[inline(always)]
-    fn of<Q: Quad, const N: usize>(factors: &Factors<N>, axis: usize, node: usize, p: usize) -> Q {
-        Q::splat(factors.weights[axis][node][p])
+    fn of<L: Lanes, const N: usize>(factors: &Factors<N>, axis: usize, node: usize, p: usize) -> L {
+        L::splat(factors.weights[axis][node][p])
     }
 }
 
@@ -91,7 +115,19 @@ pub(in crate::stage) struct Derivatives;
 
 impl FactorKind for Derivatives {
     #[inline(always)]
-    fn of<Q: Quad, const N: usize>(factors: &Factors<N>, axis: usize, node: usize, p: usize) -> Q {
-        Q::load(&factors.lines[axis][node][p])
+    fn of<L: Lanes, const N: usize>(factors: &Factors<N>, axis: usize, node: usize, p: usize) -> L {
+        L::load(&factors.lines[axis][node][p])
+    }
+}
+
+/// Weights for the lower half of a node, the lines of derivatives for the upper one; from weights and derivatives.
+pub(in crate::stage) struct WholeFactors;
+
+impl FactorKind for WholeFactors {
+    #[inline(always)]
+    fn of<L: Lanes, const N: usize>(factors: &Factors<N>, axis: usize, node: usize, p: usize) -> L {
+        let [weight, derivative] =
+            [&factors.weights, &factors.derivatives].map(|of| of[axis][node][p]);
+        L::splat_two(weight, derivative, 1 << (NUMBERS + axis))
     }
 }

@@ -18,9 +18,9 @@ pub(super) const ALL: &[ForeignWord] = &[
     ),
     entry(
         "",
-        &["load_distributed_box", "no_load_distributed_box"],
-        &["box_load"],
-        "here `box_load`, a list whose `force` is the total over the particles in a box",
+        &["no_load_distributed_box"],
+        &["load_distributed_box"],
+        "a `load_distributed_box` that is switched off; leave the key out",
     ),
     entry(
         "",
@@ -30,9 +30,9 @@ pub(super) const ALL: &[ForeignWord] = &[
     ),
     entry(
         "",
-        &["prescribed_pressure_box", "pressure_force_box"],
-        &["boundary_pressures_fluid", "initial_pressure_box"],
-        "not covered: a pore pressure that is prescribed in a box; `boundary_pressures_fluid` of the mesh gives one at a plane, `initial_pressure_box` that of the start",
+        &["pressure_force_box"],
+        &["prescribed_pressure_box", "boundary_pressures_fluid"],
+        "not covered: a force on the water in a box; `prescribed_pressure_box` holds the pore pressure there, `boundary_pressures_fluid` of the mesh that at a plane",
     ),
     entry(
         "",

@@ -270,6 +270,28 @@ pub(in crate::json) struct RawBoxLoad {
     pub comment: Option<Comment>,
 }
 
+/// Total force spread by volume over the particles that lie in a box at the start.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(
+    deny_unknown_fields,
+    expecting = "an object with `point_p1`, `point_p2` and `load`"
+)]
+pub(in crate::json) struct RawDistributedLoad {
+    /// Lower corner.
+    #[schemars(extend("x-unit" = "m", "x-needed" = true, "examples" = [[0, 0], [0, 0, 0]]))]
+    pub point_p1: Option<Vec<f64>>,
+    /// Upper corner.
+    #[schemars(extend("x-unit" = "m", "x-needed" = true, "examples" = [[1, 0.5], [1, 1, 0.5]]))]
+    pub point_p2: Option<Vec<f64>>,
+    /// Total force.
+    #[schemars(extend("x-unit" = "N", "x-needed" = true, "examples" = [[10, 0], [10, 0, 0]]))]
+    pub load: Option<Vec<f64>>,
+    /// Words for people, in every object: one text or a list of them. Nothing reads them.
+    #[schemars(extend("x-default" = "none", "examples" = ["stiffer than the soil"]))]
+    #[expect(dead_code, reason = "words for people")]
+    pub comment: Option<Comment>,
+}
+
 /// A box in which all nodes of the mesh stand still.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(

@@ -31,7 +31,7 @@ use super::lists::{Comment, Contacts, Counts, Entries, Terrains};
 use super::material_keys::RawMaterial;
 
 pub(super) use self::bodies::{
-    RawBody, RawBoxLoad, RawHeldBox, RawInitialStress, RawProbe, RawTraction,
+    RawBody, RawBoxLoad, RawDistributedLoad, RawHeldBox, RawInitialStress, RawProbe, RawTraction,
 };
 pub(super) use self::contact::{
     RawContact, RawContactManager, RawRigidLine, RawRigidSurface, RawTerrainContact,
@@ -201,6 +201,13 @@ pub(super) struct RawScene {
         "examples" = [[{"point_p1": [0, 0], "point_p2": [1, 1], "pressure": 1000}]]
     ))]
     pub initial_pressure_box: Option<Entries<RawPressureBox>>,
+    /// Pore pressures that stay: each of the particles whose centres lie in a box at the start, wherever they go, as at a
+    /// drained surface; a later box has the last word.
+    #[schemars(extend(
+        "x-needs" = "`n_phases` 2", "x-default" = "none",
+        "examples" = [[{"point_p1": [0, 0.9], "point_p2": [1, 1], "pressure": 0}]]
+    ))]
+    pub prescribed_pressure_box: Option<Entries<RawPressureBox>>,
     /// Run from whose end bodies begin, each as the body of the same `id` there: positions, stresses, deformations and
     /// internal variables. Other bodies begin as they are given, and bodies of that run that the scene lacks are left out.
     #[schemars(extend(
@@ -238,6 +245,12 @@ pub(super) struct RawScene {
         "x-default" = "none", "examples" = [[{"point_p1": [0, 0, 0], "point_p2": [1, 1, 0.5], "force": [10, 0, 0]}]]
     ))]
     pub box_load: Option<Vec<RawBoxLoad>>,
+    /// The same as `box_load`, in the words of MPM-Geomechanics: as a list or by name, with `load` for the total force.
+    #[schemars(extend(
+        "x-default" = "none",
+        "examples" = [{"cap": {"point_p1": [0, 0, 0.5], "point_p2": [1, 1, 1], "load": [0, 0, -1000]}}]
+    ))]
+    pub load_distributed_box: Option<Entries<RawDistributedLoad>>,
     /// Treatment of a particle that leaves the mesh.
     #[schemars(extend("enum" = ["stop", "remove"], "default" = "stop", "examples" = ["remove"]))]
     pub outside: Option<String>,

@@ -134,6 +134,9 @@ fn of_wet_soil(axes: usize) -> Value {
     scene["initial_pressure_material"] = json!([{"material_id": 1, "pressure": 10}]);
     scene["initial_pressure_box"] =
         json!([{"point_p1": vec![0; axes], "point_p2": vec![1; axes], "pressure": 10}]);
+    scene["prescribed_pressure_box"] = scene["initial_pressure_box"].clone();
+    scene["load_distributed_box"] =
+        json!([{"point_p1": vec![0; axes], "point_p2": vec![1; axes], "load": vec![1; axes]}]);
     scene
 }
 

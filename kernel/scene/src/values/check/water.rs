@@ -1,5 +1,6 @@
 //! Pore water: its constants, where it begins, and what does not go with it yet.
 
+use super::body::check_box;
 use super::collector::Collector;
 use super::history::check_history;
 use crate::values::{InitialPressure, InitialStress, Scene};
@@ -24,11 +25,19 @@ pub(super) fn check(scene: &Scene, problems: &mut Collector) {
                 "`n_phases` 2",
             );
         }
+        if !scene.held_pressures.is_empty() {
+            problems.add(
+                "prescribed_pressure_box",
+                "a pore pressure in a scene of one phase",
+                "`n_phases` 2",
+            );
+        }
         return;
     }
     check_constants(scene, problems);
     check_planes(scene, problems);
     check_pressures(scene, problems);
+    check_held_pressures(scene, problems);
     check_method(scene, problems);
     check_company(scene, problems);
 }
@@ -197,6 +206,14 @@ fn check_pressures(scene: &Scene, problems: &mut Collector) {
     }
 }
 
+fn check_held_pressures(scene: &Scene, problems: &mut Collector) {
+    for (i, held) in scene.held_pressures.iter().enumerate() {
+        let path = format!("held_pressures[{i}]");
+        check_box(&path, &held.p1, &held.p2, scene.dimension.axes(), problems);
+        problems.finite(format!("{path}.pressure"), held.pressure);
+    }
+}
+
 /// The parts of the method that water has a form of.
 fn check_method(scene: &Scene, problems: &mut Collector) {
     let mut refuse = |path: &str, is: bool, found: &str, accepted: &str| {
@@ -225,7 +242,7 @@ fn check_method(scene: &Scene, problems: &mut Collector) {
         "this function",
         "GIMP or cpGIMP",
     );
-    let damped = scene.damping != Damping::None;
+    let damped = scene.damping.slows() || scene.damping == Damping::Kinetic;
     refuse(
         "damping",
         damped,
