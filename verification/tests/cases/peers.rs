@@ -80,22 +80,23 @@ fn the_printed_consolidation_drains_as_the_series() {
         gravity: 0.0,
     };
     let exact = column(50e6, 500e6, 0.3, 2600.0).after(loads, simulation.time(), 2000);
-    let mut squares = 0.0;
+    let (mut squares, mut largest) = (0.0, [0.0_f64; 2]);
     for (i, p) in layers(&simulation, 0.2, 50).into_iter().enumerate() {
         let low = 0.2 * i as f64;
         let apart = (p - exact.mean_pressure(low, low + 0.2)) / 1e3;
         // The front of the wave is at the base, and is spread over some cells; the top drains.
-        let most = if low < 2.0 { 0.025 } else { 0.01 };
-        assert!(apart.abs() < most, "{apart} at {low}");
+        let place = usize::from(low < 2.0);
+        largest[place] = largest[place].max(apart.abs());
         squares += apart * apart / 50.0;
     }
-    assert!(squares.sqrt() < 0.006, "{}", squares.sqrt());
     let [z, u] = top(&simulation);
-    assert!(
-        (u / exact.displacement(z) - 1.0).abs() < 0.15,
-        "{u} {}",
-        exact.displacement(z)
-    );
+    let sinks = (u / exact.displacement(z) - 1.0).abs();
+    let [above, below] = largest;
+    let mean = squares.sqrt();
+    println!("above {above:.1e}, below {below:.1e}, mean {mean:.1e}, top {sinks:.1e}");
+    assert!(above < 0.01 && below < 0.025, "{above} {below}");
+    assert!(mean < 0.006, "{mean}");
+    assert!(sinks < 0.15);
 }
 
 /// Gravity that comes on at once: the column swings about a state that drains. Means over a period of the swing are those of the
@@ -127,14 +128,12 @@ fn the_printed_two_phases_drain_as_the_series() {
             settlement[0] += u;
             settlement[1] += exact.displacement(z);
         }
-        for [found, exact] in means {
-            assert!(
-                (found / exact - 1.0).abs() < 0.01,
-                "{found} {exact} at {middle} s"
-            );
-        }
-        let share = settlement[0] / settlement[1];
-        assert!((share - 1.0).abs() < 0.005, "{share} at {middle} s");
+        // Over the pressure at the base, which is the largest.
+        let apart = |[found, exact]: [f64; 2]| (found - exact).abs() / means[0][1];
+        let pressure = means.into_iter().map(apart).fold(0.0, f64::max);
+        let sinks = (settlement[0] / settlement[1] - 1.0).abs();
+        println!("{middle:.2} s: pressure {pressure:.1e}, settlement {sinks:.1e}");
+        assert!(pressure < 0.01 && sinks < 0.005, "{pressure} {sinks}");
     }
     assert!(simulation.time() > scene.time - period);
 }
