@@ -427,3 +427,25 @@ fn round_bodies_that_collide_on_few_cells_are_named() {
     damped.damping = Damping::Local { alpha: 0.1 };
     assert!(!warns(&damped, &words));
 }
+
+/// A traction on a plane that holds what is there moves nothing, as on the planes of a scene that names none.
+#[test]
+fn a_load_on_a_plane_that_holds_is_foreseen() {
+    let words = &["traction[0]", "plane_Yn", "moves nothing"];
+    let loaded = |plane: PlaneCondition, traction: Vector| {
+        let mut scene = ground(Dimension::Two);
+        scene.mesh.cells[1] = 5;
+        scene.mesh.planes[1][1] = plane;
+        scene.tractions = vec![Traction {
+            p1: [0.0, 5.0, 0.0],
+            p2: [20.0, 5.0, 0.0],
+            traction: traction.into(),
+        }];
+        warns(&scene, words)
+    };
+    let (down, along) = ([0.0, -1e3, 0.0], [1e3, 0.0, 0.0]);
+    assert!(loaded(PlaneCondition::Sliding, down));
+    assert!(loaded(PlaneCondition::Fixed, along));
+    assert!(!loaded(PlaneCondition::Free, down));
+    assert!(!loaded(PlaneCondition::Sliding, along));
+}

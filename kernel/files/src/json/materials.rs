@@ -133,7 +133,7 @@ impl Build<'_> {
     ) {
         self.add(
             format!("{path}.{key}"),
-            format!("`{key}` of a {} material, which has none", kind.name),
+            format!("`{key}` of the material type {}, which has none", kind.name),
             not_given_or(key, having),
         );
     }

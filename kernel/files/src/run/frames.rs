@@ -1,6 +1,6 @@
 //! Frames of the present state: of one process, or of several ranks in one file or in a piece for each.
 
-use super::probes::STRESS;
+use super::probes::{STRESS, pore_pressure, total_stress};
 use super::{RunError, ranks};
 use crate::output::pvd::GRID;
 use crate::output::{Array, ArrayData, Compression, Frame, Series, pieces};
@@ -246,6 +246,15 @@ fn arrays(simulation: &Simulation, order: &[(usize, usize)], field: Field) -> Ve
                     set(s).stress(p)[i]
                 })
             })
+            .chain(of_water(simulation, || {
+                (0..STRESS.len())
+                    .flat_map(|i| {
+                        scalar(&format!("Total_Stress_{}", STRESS[i]), &|s, p| {
+                            total_stress(set(s), p).map_or(f64::NAN, |stress| stress[i])
+                        })
+                    })
+                    .collect()
+            }))
             .collect(),
         Field::Pressure => scalar("Pressure", &|s, p| {
             let stress = set(s).stress(p);
@@ -254,8 +263,7 @@ fn arrays(simulation: &Simulation, order: &[(usize, usize)], field: Field) -> Ve
         .into_iter()
         .chain(of_water(simulation, || {
             scalar("Pore Pressure", &|s, p| {
-                let column = set(s).layout.pore_pressure();
-                column.map_or(f64::NAN, |column| set(s).columns[column][p])
+                pore_pressure(set(s), p).unwrap_or(f64::NAN)
             })
         }))
         .collect(),

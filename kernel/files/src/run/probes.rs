@@ -1,11 +1,26 @@
 //! The columns of probes, and their values of one state.
 
 use proctor_kernel::layout::Layout;
+use proctor_kernel::particles::ParticleSet;
 use proctor_scene::simulation::Simulation;
 use proctor_scene::{ProbeTarget, ProbedQuantity, Vector};
 
 /// Components of the stress, in the order of the particles.
 pub(super) const STRESS: [&str; 6] = ["XX", "YY", "ZZ", "YZ", "XZ", "XY"];
+
+/// Pore pressure of a particle \[Pa\], compression positive, where it has water.
+pub(super) fn pore_pressure(set: &ParticleSet, p: usize) -> Option<f64> {
+    let column = set.layout.pore_pressure()?;
+    Some(set.columns[column][p])
+}
+
+/// Total stress of a particle with water \[Pa\], tension positive: the effective stress less the pore pressure in all normal
+/// components.
+pub(super) fn total_stress(set: &ParticleSet, p: usize) -> Option<[f64; 6]> {
+    let pressure = pore_pressure(set, p)?;
+    let [xx, yy, zz, yz, xz, xy] = set.stress(p);
+    Some([xx - pressure, yy - pressure, zz - pressure, yz, xz, xy])
+}
 
 /// A probe with the particles that it follows in a simulation.
 pub(super) struct FollowedProbe {
@@ -66,8 +81,12 @@ impl FollowedProbe {
         let mut names: Vec<String> = letters.iter().map(|l| format!("{name}_u{l}")).collect();
         names.extend(letters.iter().map(|l| format!("{name}_v{l}")));
         names.extend(STRESS.map(|s| format!("{name}_s{}", s.to_lowercase())));
+        let layout = simulation.sets()[self.set].layout;
+        if layout.water.is_some() {
+            names.push(format!("{name}_pore_pressure"));
+            names.extend(STRESS.map(|s| format!("{name}_total_s{}", s.to_lowercase())));
+        }
         if let FollowedTarget::Particle(_) = self.target {
-            let layout = simulation.sets()[self.set].layout;
             names.extend(layout.components().map(|(variable, i, _)| {
                 format!("{name}_{}", variable.component(i).replace(' ', "_"))
             }));
@@ -77,23 +96,12 @@ impl FollowedProbe {
 
     /// Values of its columns; not a number where the particle was removed or the body has none left.
     pub(super) fn values(&self, simulation: &Simulation) -> Vec<f64> {
-        let axes = simulation.plan().axes;
-        let set = &simulation.sets()[self.set];
         let found = match self.target {
             FollowedTarget::Particle(id) => self.particle(simulation, id),
             FollowedTarget::Body => self.means(simulation),
             FollowedTarget::Largest(quantity) => self.largest(simulation, quantity),
         };
-        found.unwrap_or_else(|| {
-            let cells = match self.target {
-                FollowedTarget::Particle(_) => {
-                    2 * axes + STRESS.len() + set.layout.components().count()
-                }
-                FollowedTarget::Body => 2 * axes + STRESS.len(),
-                FollowedTarget::Largest(_) => 2 + axes,
-            };
-            vec![f64::NAN; cells]
-        })
+        found.unwrap_or_else(|| vec![f64::NAN; self.columns(simulation).len()])
     }
 
     fn particle(&self, simulation: &Simulation, id: u64) -> Option<Vec<f64>> {
@@ -105,6 +113,8 @@ impl FollowedProbe {
             let mut row = u.unwrap_or([f64::NAN; 3])[..axes].to_vec();
             row.extend_from_slice(&set.velocity(p)[..axes]);
             row.extend_from_slice(&set.stress(p));
+            row.extend(pore_pressure(set, p));
+            row.extend(total_stress(set, p).into_iter().flatten());
             row.extend(set.variables(p));
             row
         });
@@ -117,13 +127,14 @@ impl FollowedProbe {
         Some(found.into_iter().map(f64::from_bits).collect())
     }
 
-    /// Means over the body: displacement and velocity by mass, stress by volume. The sums are exact, so that they do not depend on
+    /// Means over the body: displacement and velocity by mass, stress and pore pressure by volume. The sums are exact, so that they do not depend on
     /// how particles are stored.
     fn means(&self, simulation: &Simulation) -> Option<Vec<f64>> {
         let axes = simulation.plan().axes;
         let set = &simulation.sets()[self.set];
         set.layout.displacement_origin?;
-        let sums: [f64; 14] = simulation.sums_of(self.set, |p| {
+        let wet = set.layout.water.is_some();
+        let sums: [f64; 15] = simulation.sums_of(self.set, |p| {
             let m = set.columns[Layout::MASS][p];
             let volume = simulation.particle_volume(self.set, p);
             let [ux, uy, uz] = simulation
@@ -132,14 +143,23 @@ impl FollowedProbe {
             let [vx, vy, vz] = set.velocity(p);
             let [xx, yy, zz, yz, xz, xy] = set.stress(p).map(|s| volume * s);
             let [ux, uy, uz, vx, vy, vz] = [ux, uy, uz, vx, vy, vz].map(|c| m * c);
-            [m, volume, ux, uy, uz, vx, vy, vz, xx, yy, zz, yz, xz, xy]
+            let pressure = volume * pore_pressure(set, p).unwrap_or(0.0);
+            [
+                m, volume, ux, uy, uz, vx, vy, vz, xx, yy, zz, yz, xz, xy, pressure,
+            ]
         });
         let (mass, volume) = (sums[0], sums[1]);
-        let [u, v, stress] = [&sums[2..5], &sums[5..8], &sums[8..]];
+        let [u, v, stress] = [&sums[2..5], &sums[5..8], &sums[8..14]];
         (mass > 0.0).then(|| {
             let mut row: Vec<f64> = u[..axes].iter().map(|c| c / mass).collect();
             row.extend(v[..axes].iter().map(|c| c / mass));
             row.extend(stress.iter().map(|c| c / volume));
+            if wet {
+                let pressure = sums[14] / volume;
+                row.push(pressure);
+                let of = |i: usize| if i < 3 { pressure } else { 0.0 };
+                row.extend((0..6).map(|i| stress[i] / volume - of(i)));
+            }
             row
         })
     }

@@ -8,7 +8,7 @@ use proctor_files::json::read;
 use proctor_files::run::{Run, RunControl};
 use proctor_kernel::layout::Layout;
 use proctor_scene::simulation::Options;
-use proctor_scene::{Probe, ProbeTarget, ProbedQuantity, Scene, TimeStep};
+use proctor_scene::{Field, Probe, ProbeTarget, ProbedQuantity, Scene, TimeStep};
 
 /// A column that bends to nobody's outputs: 0.05 s with two frames.
 fn column(time_step: TimeStep) -> Scene {
@@ -245,4 +245,47 @@ fn probes_follow_lines_and_bodies() {
         .expect("the particle is one of the body");
     assert_eq!(length(displacement(particle)), last("far_displacement"));
     assert_eq!(simulation.position(0, particle)[1], last("far_y"));
+}
+
+/// Probes and frames of soil with water have the pore pressure, the effective stress and the total one.
+#[test]
+fn probes_and_frames_have_both_stresses_of_wet_soil() {
+    let path = Path::new("../../fixtures/scenes/peers/two_phase.json");
+    let mut scene = read(path).unwrap_or_else(|error| panic!("{error}"));
+    (scene.time, scene.threads, scene.results.print) = (0.01, None, 1);
+    scene.results.fields = vec![Field::Stress, Field::Pressure];
+    let id = scene.bodies[0].id;
+    scene.probes = vec![
+        Probe::at("base", [0.5, 0.5, 0.0]),
+        Probe {
+            name: "all".into(),
+            target: ProbeTarget::Body(id),
+        },
+    ];
+    let folder = tempfile::tempdir().unwrap();
+    let mut run = Run::start(&scene, &Options::default(), Some(folder.path()), None).unwrap();
+    go(&mut run, usize::MAX);
+    let columns = columns(folder.path());
+    let last = |name: &str| *column_of(&columns, name).last().expect("a row");
+    let set = &run.simulation().sets()[0];
+    let pressures = &set.columns[set.layout.pore_pressure().expect("there is water")];
+    let followed = |p: &usize| set.stress(*p)[2] == last("base_szz");
+    let p = (0..set.len()).find(followed).expect("a particle");
+    assert!(pressures[p] > 1e3, "{}", pressures[p]);
+    assert_eq!(last("base_pore_pressure"), pressures[p]);
+    for (name, stress) in ["xx", "yy", "zz"].into_iter().zip(set.stress(p)) {
+        assert_eq!(last(&format!("base_total_s{name}")), stress - pressures[p]);
+    }
+    assert_eq!(last("base_total_syz"), set.stress(p)[3]);
+    let volumes = &set.columns[Layout::VOLUME];
+    let sum: f64 = (0..set.len()).map(|p| volumes[p] * pressures[p]).sum();
+    let mean = sum / volumes.iter().sum::<f64>();
+    assert!((last("all_pore_pressure") / mean - 1.0).abs() < 1e-12);
+    let apart = last("all_szz") - last("all_total_szz") - mean;
+    assert!(apart.abs() < 1e-9 * mean, "{apart}");
+    let frame = fs::read(folder.path().join("particles_000001.vtu")).expect("a frame");
+    let text = String::from_utf8_lossy(&frame);
+    for name in ["Stress_ZZ", "Total_Stress_ZZ", "Pore Pressure"] {
+        assert!(text.contains(&format!("Name=\"{name}\"")), "{name}");
+    }
 }

@@ -163,7 +163,7 @@ fn what_does_not_go_together_has_its_place() {
         (
             r#""friction": 30, "cohesion": 1, "yield_stress": 1"#,
             "yield_stress",
-            "of a mohr_coulomb material",
+            "of the material type mohr_coulomb",
         ),
         (
             r#""friction": 30, "cohesion": 1, "match": "inner""#,
@@ -173,7 +173,7 @@ fn what_does_not_go_together_has_its_place() {
         (
             r#""friction": 30, "cohesion": 1, "hardening.curve": [[0.01, 2]]"#,
             "hardening.curve",
-            "of a mohr_coulomb material",
+            "of the material type mohr_coulomb",
         ),
     ] {
         let error = read(&format!(r#""type": "mohr_coulomb", {keys}"#)).expect_err(keys);

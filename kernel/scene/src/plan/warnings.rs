@@ -33,6 +33,7 @@ pub(super) fn warnings(scene: &Scene) -> Vec<String> {
     all.extend(gains_in_turns(scene));
     all.extend(compressed_by_speed(scene));
     all.extend(sides::held_by_sides(scene));
+    all.extend(sides::pressed(scene));
     all.extend(sides::sink_through_dashpots(scene));
     all.extend(sides::carried_by_sides(scene));
     all.extend(beside::stiff_beside_soft(scene));

@@ -36,13 +36,20 @@ pub(super) const ALL: &[ForeignWord] = &[
     ),
     entry(
         "",
-        &[
-            "hydro_mechanical_coupling",
-            "pore_pressure",
-            "pore_pressure_field",
-        ],
+        &["hydro_mechanical_coupling", "pore_pressure_field"],
         &["n_phases"],
-        "not covered as a key; `n_phases` 2 has a pore pressure in each particle",
+        "not covered: pore pressures from a file; `n_phases` 2 has a pore pressure in each particle",
+    ),
+    entry(
+        "",
+        &["pore_pressure", "water_pressure", "excess_pore_pressure"],
+        &[
+            "initial_pressure_box",
+            "prescribed_pressure_box",
+            "mesh.boundary_pressures_fluid",
+            "results.fields",
+        ],
+        "here `initial_pressure_box` gives that of the start, with `n_phases` 2; the field \"pressure\" writes it, and a probe has its column",
     ),
     entry(
         "",

@@ -364,7 +364,9 @@ pub(super) struct RawResults {
         "x-unit" = "s", "x-default" = "a row with each frame", "exclusiveMinimum" = 0, "examples" = [0.005]
     ))]
     pub history_interval: Option<f64>,
-    /// Particle fields in the frames, `all` or `none`. The default is that of the manuals' program.
+    /// Particle fields in the frames, `all` or `none`. The default is that of the manuals' program. With `n_phases` 2 `stress` writes
+    /// the effective and the total stress, `pressure` the mean effective stress and the pore pressure, both positive in
+    /// compression, and `velocity` that of the water, too.
     #[schemars(extend(
         "default" = ["id", "displacement"], "examples" = [["id", "velocity", "stress"]],
         "x-words" = [

@@ -181,7 +181,7 @@ pub(in crate::json) struct RawMaterialPressure {
     pub comment: Option<Comment>,
 }
 
-/// Pore pressure in a box at the start.
+/// Pore pressure of the particles whose centres lie in a box at the start.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(
     deny_unknown_fields,

@@ -1,8 +1,40 @@
 //! Ground between sides that hold what should move: under a shaken base, and under its own weight.
 
-use super::places::{at_plane, free_box, name, plane};
+use super::places::{at_plane, free_box, from_plane, name, plane};
 use crate::values::{Body, InitialStress, Scene};
 use proctor_kernel::model::{Motion, PlaneCondition};
+
+/// Tractions on planes that hold what is there: the load moves nothing.
+pub(super) fn pressed(scene: &Scene) -> Vec<String> {
+    let axes = scene.dimension.axes();
+    let mut all = vec![];
+    for (i, load) in scene.tractions.iter().enumerate() {
+        for axis in (0..axes).filter(|axis| load.p1[*axis] == load.p2[*axis]) {
+            let bounds = [load.p1, load.p2];
+            let lies_in = |side: &usize| {
+                from_plane(scene, &bounds, axis, *side).abs() <= scene.mesh.tolerance(axis)
+            };
+            let Some(side) = (0..2).find(lies_in) else {
+                continue;
+            };
+            let condition = scene.mesh.planes[axis][side];
+            let values = &load.traction.values;
+            let held = |along: &usize| {
+                condition.prescribes(*along, axis) && values.iter().any(|v| v[*along] != 0.0)
+            };
+            if let Some(along) = (0..axes).find(held) {
+                let plane = plane(axis, side);
+                all.push(format!(
+                    "traction[{i}]: it acts along {} on {plane} of the mesh, which is `{}` and holds what is there: the load moves \
+                     nothing; `boundary_conditions` with {plane} `free` lets it",
+                    ["x", "y", "z"][along],
+                    condition.word(),
+                ));
+            }
+        }
+    }
+    all
+}
 
 /// Bodies on a base that moves along planes which stand still: the planes hold them.
 pub(super) fn held_by_sides(scene: &Scene) -> Vec<String> {
