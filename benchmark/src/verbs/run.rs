@@ -19,6 +19,7 @@ use proctor_files::output::summary::{SUMMARY, Status};
 use proctor_files::output::{OutputFolder, Summary, atomic};
 use proctor_files::run::{Run as KernelRun, RunControl, RunError};
 use proctor_kernel::ranks::Ranks;
+use proctor_scene::TimeStep;
 use proctor_scene::simulation::{Bound, StepInfo};
 pub use ranks::same_program;
 use report::Report;
@@ -52,6 +53,9 @@ pub struct Run {
     /// Write each frame as a file of each rank, named by particles_*.pvtu, however few points it has; on ranks
     #[arg(long, requires = "out")]
     pieces: bool,
+    /// Run even where the time step of the scene is above the bound of the scheme, as `"allow_unstable": true` in it does
+    #[arg(long)]
+    allow_unstable: bool,
     #[command(flatten)]
     settings: Settings,
     /// Checkpoint of the same scene to go on from; of a scene with stages, that in the folder of the stage that is to go on
@@ -65,6 +69,16 @@ struct Tally {
     stopwatch: Stopwatch,
     particle_steps: f64,
     bounds: BTreeMap<&'static str, u64>,
+}
+
+/// Takes a given time step as it is.
+fn allow_unstable(step: &mut TimeStep) {
+    match step {
+        TimeStep::Automatic => {}
+        TimeStep::Multiplier { allow_unstable, .. } | TimeStep::Fixed { allow_unstable, .. } => {
+            *allow_unstable = true;
+        }
+    }
 }
 
 impl Run {
@@ -98,7 +112,12 @@ impl Run {
         ranks: Option<&Arc<dyn Ranks>>,
         out: &mut dyn Write,
     ) -> Result<Outcome, Failure> {
-        let stages = stages(&self.scene)?;
+        let mut stages = stages(&self.scene)?;
+        if self.allow_unstable {
+            for stage in &mut stages {
+                allow_unstable(&mut stage.scene.time_step);
+            }
+        }
         let interrupt = Interrupt::listen()?;
         if let [Stage { name, .. }] = &stages[..]
             && name.is_empty()

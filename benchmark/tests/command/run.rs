@@ -35,6 +35,18 @@ fn a_run_writes_frames_history_and_summary() {
     assert!(stdout(&output).contains(hash));
 }
 
+/// A printed scene whose step is above the bound runs as it is where it is asked to, and is refused otherwise.
+#[test]
+fn a_step_above_the_bound_is_taken_on_demand() {
+    let scene = fixture("fixtures/scenes/peers/consolidation.json");
+    let refused = proctor(&["run", &scene]);
+    assert_eq!(code(&refused), 2);
+    assert!(stderr(&refused).contains("critical time step"));
+    let run = proctor(&["run", &scene, "--allow-unstable"]);
+    assert_eq!(code(&run), 0, "{}", stderr(&run));
+    assert!(stdout(&run).contains("finished"));
+}
+
 #[test]
 fn without_a_folder_nothing_is_written() {
     let desk = Desk::new();

@@ -128,10 +128,11 @@ fn particles_of_body(
             set.columns[first + axis * axes + axis].fill(1.0);
         }
     }
-    for column in [layout.hoop_stretch(), layout.held_pressure] {
-        if let Some(column) = column {
-            set.columns[column].fill(1.0);
-        }
+    for column in [layout.hoop_stretch(), layout.held_pressure]
+        .into_iter()
+        .flatten()
+    {
+        set.columns[column].fill(1.0);
     }
     let half_length = half_lengths(scene, &filled.half_length);
     let widest = fill_half_lengths(&mut set, scene, &filled.half_length, &half_length);
