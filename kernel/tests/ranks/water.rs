@@ -4,7 +4,7 @@ use super::{compare, strip};
 use crate::common::{APIC, FLIP, elastic, material};
 use proctor_kernel::simulation::StepErrorKind;
 use proctor_scene::{
-    Dimension, DomainUpdate, History, Permeability, PlaneCondition, PoreWater, Scene,
+    Dimension, DomainUpdate, HeldPressure, History, Permeability, PlaneCondition, PoreWater, Scene,
     StandingWater, StressScheme, Transfer, TransferKind, VolumetricStrain, Weighting,
 };
 
@@ -63,6 +63,13 @@ fn ranks_share_pore_water() {
             (scene.weighting, scene.transfer, scene.scheme) = (weighting, transfer, scheme);
             if scheme == StressScheme::Usl {
                 scene.volumetric_strain = VolumetricStrain::CellAverage;
+            }
+            if transfer == pic {
+                scene.held_pressures = vec![HeldPressure {
+                    p1: [0.0; 3],
+                    p2: [0.6, 1.0, 1.0],
+                    pressure: 20.0,
+                }];
             }
             let end = compare(&scene, 45, 8.0);
             assert!(end.error.is_none(), "{:?}", end.error);
