@@ -84,9 +84,11 @@ use std::sync::OnceLock;
 
 use crate::case::{Case, CurvePoint};
 use crate::study::Measure;
+pub(crate) use vocabulary::mortar::{barrier, boundary, open_line};
 pub(crate) use vocabulary::parts::{
-    AT_REST, NO_RESULTS, body, cuboid, elastic, elastic_law, material, moving, moving_along_x,
-    rectangle, uniaxial,
+    AT_REST, NO_RESULTS, body, confined_modulus, contact, cuboid, elastic, elastic_law,
+    equal_steps_of, larger, material, moving, moving_along_x, rectangle, starting, traction,
+    uniaxial,
 };
 
 /// Makes the cases public, and the one list of them.

@@ -120,6 +120,6 @@ fn pairs<'a>(
 }
 
 /// Largest component of a difference.
-fn apart<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
+pub(crate) fn apart<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
     largest((0..N).map(|k| a[k] - b[k]))
 }

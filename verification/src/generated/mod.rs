@@ -24,7 +24,9 @@ mod seen;
 mod units;
 
 pub use cause::cause;
+pub(crate) use compare::apart;
 pub use dice::Dice;
+pub(crate) use seen::largest;
 pub use seen::{FinalState, Particle};
 
 use proctor_scene::Scene;

@@ -3,6 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::StabilityError;
+use crate::random::mixed;
 
 /// Vectors after which the eigenvalue is looked at again.
 const LOOK_EVERY: usize = 4;
@@ -132,9 +133,6 @@ fn noise(size: usize) -> Vec<f64> {
 /// A number from -1 to 1 that belongs to `seed` (splitmix64).
 #[must_use]
 pub fn uniform(seed: u64) -> f64 {
-    let mut z = seed.wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^= z >> 31;
-    (z >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    let word = seed.wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    (mixed(word) >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
 }

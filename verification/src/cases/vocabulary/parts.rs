@@ -234,8 +234,12 @@ pub fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
     values.into_iter().fold(0.0, larger)
 }
 
+/// Stress over strain along one axis, where there is no strain along the others \[Pa\].
+pub fn confined_modulus(young: f64, poisson: f64) -> f64 {
+    young * (1.0 - poisson) / ((1.0 + poisson) * (1.0 - 2.0 * poisson))
+}
+
 /// Speed of pressure waves in an elastic solid \[m/s; Pa, kg/m³\].
 pub fn p_wave_speed(young: f64, poisson: f64, density: f64) -> f64 {
-    let confined = young * (1.0 - poisson) / ((1.0 + poisson) * (1.0 - 2.0 * poisson));
-    (confined / density).sqrt()
+    (confined_modulus(young, poisson) / density).sqrt()
 }

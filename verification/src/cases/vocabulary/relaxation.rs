@@ -4,6 +4,7 @@ use proctor_scene::simulation::Simulation;
 
 use super::stepping::step;
 use crate::case::Run;
+use crate::case::gates::{GateRule, worst};
 use crate::settings::Settings;
 use crate::study::{Failure, Observer, Phase};
 
@@ -21,6 +22,14 @@ pub fn most_steps(settings: &Settings, cells: f64) -> u64 {
         None => MOST_STEPS,
         Some(courant) => (MOST_STEPS_PER_CELL * cells * (0.35 / courant).max(1.0)) as u64,
     }
+}
+
+/// The gate on the unbalanced force over the load that a relaxation leaves.
+pub const fn at_rest(residual: &'static str, bound: f64) -> GateRule {
+    let reason = "far below the errors that are measured, so that they are those of the mesh";
+    worst(residual)
+        .at_most(bound, reason)
+        .named("{quantity}, unbalanced force over load, worst mesh")
 }
 
 const END: f64 = 1e6; // A time that no relaxation reaches [s]; steps do not depend on it

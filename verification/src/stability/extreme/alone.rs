@@ -22,11 +22,9 @@ impl Falls {
     fn new() -> Self {
         Self([
             gate("place against x_0 + v t + g t²/2, over the way")
-                .at_most(ROUND_OFF)
-                .because("velocities half a step before positions make the sum of dt (v_0 + g t) over the steps g t²/2 exactly"),
+                .at_most(ROUND_OFF, "velocities half a step before positions make the sum of dt (v_0 + g t) over the steps g t²/2 exactly"),
             gate("stress over Young's modulus")
-                .at_most(ROUND_OFF)
-                .because("the gradients of the weights of a particle sum to zero, so that its own velocity strains it by round-off"),
+                .at_most(ROUND_OFF, "the gradients of the weights of a particle sum to zero, so that its own velocity strains it by round-off"),
         ])
     }
 
@@ -94,12 +92,12 @@ fn thin_shell() -> RowVerdict {
     const COUNT: usize = 48;
     const RADIUS: f64 = 2.7;
     const CENTER: [f64; 2] = [6.0, 6.0];
-    let mut strained = gate("flying: stress over Young's modulus")
-        .at_most(ROUND_OFF)
-        .because("a uniform velocity strains nothing, whatever the particles");
+    let mut strained = gate("flying: stress over Young's modulus").at_most(
+        ROUND_OFF,
+        "a uniform velocity strains nothing, whatever the particles",
+    );
     let mut turned = gate("breathing: a quarter turn of the ring against the ring, over its swing")
-        .at_most(1e-9)
-        .because("ring and mesh are the same after a quarter turn; places differ by round-off, which the swings carry along");
+        .at_most(1e-9, "ring and mesh are the same after a quarter turn; places differ by round-off, which the swings carry along");
     let mut kept = Conservation::named("breathing");
     let volume = 0.1 * TAU * RADIUS / COUNT as f64;
     let place = |i: usize| {

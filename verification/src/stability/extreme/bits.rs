@@ -38,7 +38,7 @@ fn soft_block(cells: usize, low: [f64; 2], high: [f64; 2], method: Method) -> Sc
 }
 
 fn rest() -> RowVerdict {
-    let mut changed = gate("runs whose state changed").none().because(NO_FORCE);
+    let mut changed = gate("runs whose state changed").none(NO_FORCE);
     for method in methods() {
         for law in [soft(), NeoHookean::new(YOUNG, POISSON).into()] {
             let mut scene = with(&block([4, 4], [1.1, 1.3], [2.1, 2.3], law), method);
@@ -46,15 +46,8 @@ fn rest() -> RowVerdict {
             scene.materials[0].density = 1234.5;
             let mut simulation = start(&scene, &options())?;
             let before = simulation.state_hash();
-            let default = method == Method::DEFAULT;
-            steps(
-                &mut simulation,
-                if default {
-                    AT_REST_FOR
-                } else {
-                    AT_REST_FOR / 100
-                },
-            )?;
+            let share = if method == Method::DEFAULT { 1 } else { 100 };
+            steps(&mut simulation, AT_REST_FOR / share)?;
             changed.count(simulation.state_hash() != before);
         }
     }
@@ -72,15 +65,11 @@ fn hash_at(distance: f64, method: Method) -> Result<u64, RowFault> {
     scene.bodies[0].shape = cuboid(moved([4.25, 5.5, 0.0]), moved([7.25, 8.0, 0.0]));
     let near = rough_state([0.01, 0.005, 0.0], 0.02, 0.01);
     let initial = from(move |x| near(&std::array::from_fn(|axis| x[axis] - by[axis])));
-    let mut simulation = start(&scene, &initial)?;
-    steps(&mut simulation, count_of(method, 100))?;
-    Ok(simulation.state_hash())
+    Ok(after(&scene, &initial, count_of(method, 100))?.state_hash())
 }
 
 fn far(distance: f64) -> RowVerdict {
-    let mut other = gate("methods with other bits than at zero")
-        .none()
-        .because(LOCAL);
+    let mut other = gate("methods with other bits than at zero").none(LOCAL);
     for method in methods() {
         other.count(hash_at(distance, method)? != hash_at(0.0, method)?);
     }
@@ -91,17 +80,14 @@ fn far(distance: f64) -> RowVerdict {
 const DENORMAL: f64 = 1e-310;
 
 fn denormals() -> RowVerdict {
-    let mut not_numbers = gate("particles with a value that is no number")
-        .none()
-        .because("small is not wrong");
+    let mut not_numbers =
+        gate("particles with a value that is no number").none("small is not wrong");
     let mut moved = gate("particles that moved")
-        .none()
-        .because("1e-310 m/s for 500 steps is less than the last digit of a position");
+        .none("1e-310 m/s for 500 steps is less than the last digit of a position");
     // Each of 500 steps may round each of the nine nodal shares of a particle by one part in 2e13.
     let digits = 1e-310 / f64::from_bits(1);
     let mut off = gate("momentum lost over the sum of its magnitudes")
-        .at_most(500.0 * 9.0 / digits)
-        .because("a denormal 1e-310 has 4e-14 of itself as its last digit; 500 steps, nine nodes per particle");
+        .at_most(500.0 * 9.0 / digits, "a denormal 1e-310 has 4e-14 of itself as its last digit; 500 steps, nine nodes per particle");
     for method in METHODS {
         for damping in [Damping::None, Damping::Local { alpha: 0.5 }] {
             let scene = soft_block(8, [2.1, 2.3], [5.1, 5.3], method).with_damping(damping);
@@ -125,13 +111,8 @@ fn denormals() -> RowVerdict {
 
 /// Places of the particles of a block, with their neighbours in order or not.
 fn places(turned: bool) -> Vec<(Vector, f64)> {
-    let place = |k: i32| {
-        [
-            3.3 + 0.5 * f64::from(k % 10),
-            3.4 + 0.5 * f64::from(k / 10),
-            0.0,
-        ]
-    };
+    let along = |first, k| first + 0.5 * f64::from(k);
+    let place = |k: i32| [along(3.3, k % 10), along(3.4, k / 10), 0.0];
     // 37 has no factor with 100 in common: every particle once.
     let number = |k: i32| if turned { (k * 37 + 11) % 100 } else { k };
     (0..100).map(|k| (place(number(k)), 0.25)).collect()
@@ -148,7 +129,7 @@ fn by_place(simulation: &Simulation, places: &[(Vector, f64)]) -> Vec<Vec<u64>> 
 fn same() -> RowVerdict {
     let with_other_bits = |which: &str, reason| {
         let name = format!("runs {which} with other bits");
-        gate(name).none().because(reason)
+        gate(name).none(reason)
     };
     let mut threads = with_other_bits("on two and three threads", ORDER);
     let mut lanes = with_other_bits("without vector lanes", ORDER);
@@ -159,11 +140,7 @@ fn same() -> RowVerdict {
     );
     for method in methods() {
         let count = count_of(method, 60);
-        let run = |scene: &Scene, options: &Options| -> Result<Simulation, RowFault> {
-            let mut simulation = start(scene, options)?;
-            steps(&mut simulation, count)?;
-            Ok(simulation)
-        };
+        let run = |scene: &Scene, options: &Options| after(scene, options, count);
         let options = || rough([0.04, 0.02, 0.0], 0.02, 0.01);
         let mut scene = soft_block(12, [3.0; 2], [8.0; 2], method);
         scene.bodies[0].shape = listed(places(false));

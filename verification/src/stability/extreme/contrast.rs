@@ -37,11 +37,8 @@ fn column(layers: &[Layer], gravity: f64) -> Scene {
     let mut below = 0.0;
     for &(cells, young, density) in layers {
         let above = below + cells as f64;
-        scene.body(
-            rectangle([0.0, below], [1.0, above]),
-            elastic(young, 0.0),
-            density,
-        );
+        let layer = rectangle([0.0, below], [1.0, above]);
+        scene.body(layer, elastic(young, 0.0), density);
         below = above;
     }
     scene
@@ -60,14 +57,11 @@ fn carried(layers: &[Layer], gravity: f64, y: f64) -> f64 {
 
 /// The stress of a column that starts in balance, with each method.
 fn standing_column(layers: &'static [Layer], gravity: f64) -> Judgement {
-    let mut off = gate("stress of the standing column, over that at its base")
-        .at_most(STANDS_TO)
-        .because(IN_BALANCE);
+    let mut off =
+        gate("stress of the standing column, over that at its base").at_most(STANDS_TO, IN_BALANCE);
     let settled = stressed(move |x| [0.0, carried(layers, gravity, x[1]), 0.0, 0.0, 0.0, 0.0]);
     for scene in each_scheme(&column(layers, gravity), FILLING) {
-        let mut simulation = start(&scene, &settled)?;
-        steps(&mut simulation, STANDS)?;
-        for seen in unsorted(&simulation) {
+        for seen in unsorted(&after(&scene, &settled, STANDS)?) {
             let error = seen.stress[1] - carried(layers, gravity, seen.position[1]);
             off.see((error / carried(layers, gravity, 0.0)).abs());
         }
@@ -81,8 +75,7 @@ fn critical_step(whose: &str, scene: &Scene, wave_speed: f64) -> Judgement {
     let number = simulation.stability_number();
     let found = step(&mut simulation, NEVER)?.dt_critical;
     Ok(gate(format!("critical step against that of {whose}"))
-        .at_most(ROUND_OFF)
-        .because(STEP_OF_FASTEST)
+        .at_most(ROUND_OFF, STEP_OF_FASTEST)
         .found((found * wave_speed / number - 1.0).abs()))
 }
 
@@ -98,8 +91,7 @@ fn stiffness() -> RowVerdict {
     let end = 0.75 * exact.height;
     let error = |layers: &[Layer], scheme, base: f64| -> Result<f64, RowFault> {
         let scene = column(layers, GRAVITY).with_scheme(scheme);
-        let mut simulation = start(&scene, &options())?;
-        to_time(&mut simulation, end)?;
+        let simulation = at_time(&scene, &options(), end)?;
         let soft: Vec<_> = of_body(&simulation, layers.len() - 1).collect();
         let squares = soft.iter().map(|seen| {
             let y = seen.position[1] - base;
@@ -109,8 +101,7 @@ fn stiffness() -> RowVerdict {
         Ok(mean.sqrt() / (GRAVITY * exact.height))
     };
     let mut ratio = gate("error of the suddenly loaded soft layer over that of its own run")
-        .at_most(2.0)
-        .because("a base that is 1e6 times as stiff is rigid, so that nothing but the shorter step differs");
+        .at_most(2.0, "a base that is 1e6 times as stiff is rigid, so that nothing but the shorter step differs");
     for scheme in SCHEMES {
         let own = error(&LAYERS[1..], scheme, 0.0)?;
         ratio.see(error(LAYERS, scheme, 4.0)? / own);
@@ -128,21 +119,18 @@ fn density() -> RowVerdict {
     const SPEED: f64 = 1e-4;
     let mut bar = open([16, 1]).between(1);
     for (left, length, density) in [(2.0, HEAVY, 1e6), (2.0 + HEAVY, LIGHT, 1.0)] {
-        bar.body(
-            rectangle([left, 0.0], [left + length, 1.0]),
-            elastic(1.0, 0.0),
-            density,
-        );
+        let part = rectangle([left, 0.0], [left + length, 1.0]);
+        bar.body(part, elastic(1.0, 0.0), density);
     }
     let wave = FRAC_PI_2 / LIGHT;
     let swings =
         from(move |x| moving_along_x(SPEED * libm::sin(wave * (x[0] - 2.0 - HEAVY).max(0.0)), 0.0));
-    let mut off = gate("way of the light bar in a quarter of its period, GIMP")
-        .at_most(0.01)
-        .because("the impedances differ by 1e3, the grid by (k h)²/24, and the step by as much");
+    let mut off = gate("way of the light bar in a quarter of its period, GIMP").at_most(
+        0.01,
+        "the impedances differ by 1e3, the grid by (k h)²/24, and the step by as much",
+    );
     let mut smeared = gate("way of the light bar in a quarter of its period, B-splines")
-        .at_most(2.0 / LIGHT)
-        .because("functions of the heavy bar reach the node one cell into the light one and hold it, and the way goes with the square of \
+        .at_most(2.0 / LIGHT, "functions of the heavy bar reach the node one cell into the light one and hold it, and the way goes with the square of \
              the length: 2 h/L");
     let mut kept = Conservation::named("twenty periods");
     for scene in each_scheme(&bar, SAFE) {
@@ -174,11 +162,8 @@ fn both() -> RowVerdict {
         (2.9, 5.9, 1.0, 1e6),
         (5.9, 5.9, 1e9, 1e6),
     ] {
-        quarters.body(
-            rectangle([x, y], [x + 3.0, y + 3.0]),
-            elastic(young, 0.3),
-            density,
-        );
+        let quarter = rectangle([x, y], [x + 3.0, y + 3.0]);
+        quarters.body(quarter, elastic(young, 0.3), density);
     }
     for scene in each_scheme(&quarters, SAFE) {
         let mut simulation = kept.start(&scene, &breathes)?;

@@ -1,4 +1,5 @@
-//! Bodies that are faster than their waves, and what such a piston does to a body.
+//! Bodies that are faster than their waves, such a piston, and bodies that are torn apart: what holds particles together is
+//! the grid between them.
 
 use super::prelude::*;
 use proctor_scene::simulation::ParticleAt;
@@ -11,6 +12,9 @@ pub static ROWS: &[Extreme] = &[
     Extreme::of("fast-piston", fast_piston)
         .with("a piston at twice the wave speed presses a block to a tenth of its length and less")
         .must("volumes stay positive and the stress is the logarithm of the stretch, or the particle is named"),
+    Extreme::of("torn-apart", torn_apart)
+        .with("a bar whose ends fly apart at a hundred times its wave speed, until empty cells lie between all its particles")
+        .must("no force between particles that no node joins; domains that follow say when they outgrow the stencil and stop at a cell"),
 ];
 
 /// Cells per millisecond.
@@ -18,14 +22,13 @@ const SPEED: f64 = 5e3;
 
 fn cells_per_step() -> RowVerdict {
     let mut moved = gate("cells that are crossed in a step")
-        .at_most(0.5)
-        .because("a particle that crosses more than half a cell in a step has skipped nodes that it should have met");
-    let mut off = gate("place against x_0 + v t")
-        .at_most(ROUND_OFF)
-        .because("nothing acts on a block that flies");
-    let mut strained = gate("stress over rho v²")
-        .at_most(ROUND_OFF)
-        .because("a uniform velocity strains nothing but by its round-off");
+        .at_most(0.5, "a particle that crosses more than half a cell in a step has skipped nodes that it should have met");
+    let mut off =
+        gate("place against x_0 + v t").at_most(ROUND_OFF, "nothing acts on a block that flies");
+    let mut strained = gate("stress over rho v²").at_most(
+        ROUND_OFF,
+        "a uniform velocity strains nothing but by its round-off",
+    );
     let mut scene = block([40, 8], [2.2, 2.2], [4.2, 4.2], elastic(1e6, 0.3));
     scene.materials[0].density = 1e3;
     scene.bodies[0].velocity = [SPEED, 0.0, 0.0];
@@ -56,7 +59,7 @@ fn pressed(law: impl Into<AnyLaw>, speed: f64) -> Scene {
     let material = scene.add_material(law, 1.0);
     scene.add_body(rectangle([6.0, 0.0], [14.0, 2.0]), material);
     let piston = rectangle([1.0, 0.0], [6.0, 2.0]);
-    scene.add_body(piston, material).motion = Some(always([speed, 0.0, 0.0]));
+    scene.add_body(piston, material).motion = Some([speed, 0.0, 0.0].into());
     scene
 }
 
@@ -70,10 +73,8 @@ fn laws() -> [(&'static str, AnyLaw); 2] {
 
 /// Volumes by identifier, those of the first body before others \[m³\].
 fn volumes(simulation: &Simulation) -> Vec<f64> {
-    particles(simulation)
-        .iter()
-        .map(|seen| seen.volume)
-        .collect()
+    let all = particles(simulation);
+    all.iter().map(|seen| seen.volume).collect()
 }
 
 /// Volumes of the particles of the first body over those at the start, with their stresses along x \[Pa\].
@@ -100,12 +101,12 @@ fn inverted(
 fn fast_piston() -> RowVerdict {
     const SPEED_OVER_WAVES: f64 = 2.0;
     let mut off = gate("elastic: stress over that of the logarithmic strain, less one")
-        .at_most(f64::NAN)
-        .because("the midpoint strain of an increment e is 2 tanh(e/2), short of e by e²/12, and e is at most the largest strain \
+        .at_most(f64::NAN, "the midpoint strain of an increment e is 2 tanh(e/2), short of e by e²/12, and e is at most the largest strain \
              increment over what it leaves");
-    let mut least = gate("smallest volume over that at the start")
-        .at_least(f64::MIN_POSITIVE)
-        .because("a volume that is not positive has no density; the step that makes one must fail");
+    let mut least = gate("smallest volume over that at the start").at_least(
+        f64::MIN_POSITIVE,
+        "a volume that is not positive has no density; the step that makes one must fail",
+    );
     let mut allowed = 0.0_f64;
     let mut refusals = vec![];
     for scheme in SCHEMES {
@@ -151,4 +152,92 @@ fn fast_piston() -> RowVerdict {
     }
     off.bound = allowed * allowed / 12.0 / (1.0 - allowed);
     Ok(Finding::of([least, off]).refusing(refusals))
+}
+
+/// Rate at which the bar is stretched at the start \[1/s\]: ends at a hundred times the wave speed.
+const RATE: f64 = 50.0;
+/// Length of the bar in cells, and where it ends on the left; the middle stands.
+const LENGTH: f64 = 4.0;
+const MIDDLE: f64 = 30.0;
+/// Distance from which no node is in reach of two particles: each reaches a cell and a quarter to either side \[m\].
+const REACH: f64 = 2.5;
+/// Growth of the length by which all must have parted, over the length.
+const LONGEST: f64 = 10.0;
+
+/// The bar with a method, and its start.
+fn bar(weighting: Weighting, scheme: StressScheme) -> Result<Simulation, RowFault> {
+    let [left, right] = [-0.5, 0.5].map(|share| MIDDLE + share * LENGTH);
+    // Equal steps, a hundred for each stretch by 1.
+    let scene = block([60, 1], [left, 0.0], [right, 1.0], elastic(1.0, 0.0))
+        .with_weighting(weighting)
+        .with_scheme(scheme)
+        .between(1)
+        .with_time_step(fixed(0.01 / RATE));
+    let stretched = from(|x| moving_along_x(RATE * (x[0] - MIDDLE), RATE));
+    start(&scene, &stretched)
+}
+
+/// Places and velocities along the bar, from the left: one of each column of particles \[m, m/s\].
+fn columns(simulation: &Simulation) -> Vec<[f64; 2]> {
+    let row = of_body(simulation, 0).filter(|seen| seen.position[1] < 0.5);
+    let mut all: Vec<_> = row
+        .map(|seen| [seen.position[0], seen.velocity[0]])
+        .collect();
+    all.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    all
+}
+
+/// Change of velocity of the columns after none reaches a node of another, over that of the ends.
+fn pull_after_parting(scheme: StressScheme) -> Result<f64, RowFault> {
+    let mut simulation = bar(Weighting::UniformGimp, scheme)?;
+    let nearest = |simulation: &Simulation| {
+        let all = columns(simulation);
+        let gaps = all.windows(2).map(|pair| pair[1][0] - pair[0][0]);
+        gaps.fold(f64::INFINITY, f64::min)
+    };
+    while nearest(&simulation) <= REACH {
+        if simulation.time() * RATE > LONGEST {
+            return Err(RowFault(format!("{scheme:?}: the columns never part")));
+        }
+        step(&mut simulation, NEVER)?;
+    }
+    let before = columns(&simulation);
+    steps(&mut simulation, 100)?;
+    let after = columns(&simulation);
+    let changes = before.iter().zip(&after).map(|(a, b)| (a[1] - b[1]).abs());
+    Ok(changes.fold(0.0, worst) / (0.5 * LENGTH * RATE))
+}
+
+fn torn_apart() -> RowVerdict {
+    let mut pulled = gate("uGIMP: change of velocity of what has parted, over that of the ends")
+        .at_most(
+            ROUND_OFF,
+            "no node is in reach of two particles, and none acts on itself",
+        );
+    let mut late = gate("cpGIMP: stretches at which a wider stencil and the stop are reported, less 2 and 4")
+        .at_most(0.1, "half-lengths of a quarter of a cell are half a cell at a stretch of 2 and a cell at 4; in the middle of the bar \
+             velocities stay linear but for the noise of few particles in a cell");
+    let mut refusals = vec![];
+    for scheme in SCHEMES {
+        pulled.see(pull_after_parting(scheme)?);
+        let mut simulation = bar(CONTIGUOUS, scheme)?;
+        let stopped = loop {
+            if simulation.time() * RATE > LONGEST {
+                return Err(RowFault(String::from("no domain ever outgrew a cell")));
+            }
+            if let Err(error) = simulation.step(NEVER) {
+                break error;
+            }
+            let events = simulation.events().iter();
+            for event in events.filter(|e| e.kind == EventKind::WiderStencil) {
+                late.see((1.0 + RATE * event.time - 2.0).abs());
+            }
+        };
+        let StepErrorKind::DomainTooLarge { half_length: 1.0.. } = stopped.kind else {
+            return Err(unexpected(format!("{scheme:?}"), stopped));
+        };
+        late.see((1.0 + RATE * stopped.time - 4.0).abs());
+        refusals.push(format!("{scheme:?}: {stopped}"));
+    }
+    Ok(Finding::of([pulled, late]).refusing(refusals))
 }

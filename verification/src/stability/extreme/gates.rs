@@ -6,35 +6,25 @@ use crate::case::Relation;
 /// The beginning of a gate: its name.
 pub struct GateName(String);
 
-/// A gate that has no reason yet.
-pub struct GateBound(Gate);
-
-/// A gate by its name; a bound and a reason follow.
+/// A gate by its name; a bound with its reason follows.
 pub fn gate(name: impl Into<String>) -> GateName {
     GateName(name.into())
 }
 
 impl GateName {
-    /// An upper bound.
-    pub fn at_most(self, bound: f64) -> GateBound {
-        GateBound(Gate::at_most(self.0, 0.0, bound, ""))
+    /// An upper bound and its reason.
+    pub fn at_most(self, bound: f64, reason: &'static str) -> Gate {
+        Gate::at_most(self.0, 0.0, bound, reason)
     }
 
-    /// A lower bound.
-    pub fn at_least(self, bound: f64) -> GateBound {
-        GateBound(Gate::at_least(self.0, f64::INFINITY, bound, ""))
+    /// A lower bound and its reason.
+    pub fn at_least(self, bound: f64, reason: &'static str) -> Gate {
+        Gate::at_least(self.0, f64::INFINITY, bound, reason)
     }
 
-    /// Nothing of what is counted.
-    pub fn none(self) -> GateBound {
-        self.at_most(0.0)
-    }
-}
-
-impl GateBound {
-    /// Adds the reason of the bound.
-    pub fn because(self, reason: &'static str) -> Gate {
-        Gate { reason, ..self.0 }
+    /// Nothing of what is counted, and the reason.
+    pub fn none(self, reason: &'static str) -> Gate {
+        self.at_most(0.0, reason)
     }
 }
 
@@ -82,18 +72,13 @@ impl Conservation {
             drift: gate(format!(
                 "{what}: change of momentum, over the momentum in all directions"
             ))
-            .at_most(ROUND_OFF)
-            .because(ONLY_ROUND_OFF),
+            .at_most(ROUND_OFF, ONLY_ROUND_OFF),
             grown: gate(format!("{what}: highest energy over that at the start"))
-                .at_most(GROWN)
-                .because(NO_GROWTH),
+                .at_most(GROWN, NO_GROWTH),
         }
     }
 
     /// Sets the next run in motion, and takes what it begins with.
-    ///
-    /// # Errors
-    /// If it does not start.
     pub fn start(&mut self, scene: &Scene, options: &Options) -> Result<Simulation, RowFault> {
         let simulation = start(scene, options)?;
         self.momentum = simulation.momentum();

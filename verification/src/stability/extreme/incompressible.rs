@@ -37,9 +37,7 @@ fn let_go(young: f64, poisson: f64, weighting: Weighting) -> Result<Simulation, 
         .with_weighting(weighting)
         .between(0)
         .with_plane(1, 0, PlaneCondition::Sliding);
-    let mut simulation = start(&scene, &options())?;
-    to_time(&mut simulation, HEIGHT / modulus.sqrt())?;
-    Ok(simulation)
+    at_time(&scene, &options(), HEIGHT / modulus.sqrt())
 }
 
 /// Mean displacement of the column \[m\].
@@ -68,14 +66,14 @@ fn nearly_incompressible() -> RowVerdict {
         let mut sides = gate(format!(
             "{name}: stress on the sides, over the vertical one, less nu/(1 - nu)"
         ))
-        .at_most(SAME)
-        .because("uniaxial strain: both stresses are the same strain times a constant");
+        .at_most(
+            SAME,
+            "uniaxial strain: both stresses are the same strain times a constant",
+        );
         let mut same = gate(format!("{name}: settlement against a column of nu = 0 with the confined modulus"))
-            .at_most(SAME)
-            .because("both obey one equation; they differ by round-off, to which 1/(1 - 2 nu) adds five digits");
+            .at_most(SAME, "both obey one equation; they differ by round-off, to which 1/(1 - 2 nu) adds five digits");
         let mut off = gate(format!("{name}: settlement against the exact one"))
-            .at_most(0.02)
-            .because("eight cells: a front that is spread over (h² H)^(1/3) brings the mean off by its share of the height squared");
+            .at_most(0.02, "eight cells: a front that is spread over (h² H)^(1/3) brings the mean off by its share of the height squared");
         let mut kept = Conservation::named(&format!("{name}, free block with noise"));
 
         let scene = block([6, 6], [2.0, 2.0], [4.0, 4.0], elastic(1.0, poisson));
@@ -84,8 +82,7 @@ fn nearly_incompressible() -> RowVerdict {
         let speed = number / step(&mut simulation, NEVER)?.dt_critical;
         // 1 - 2 nu loses five digits.
         let speed = gate(format!("{name}: wave speed behind the step"))
-            .at_most(1e-10)
-            .because(STEP_OF_FASTEST)
+            .at_most(1e-10, STEP_OF_FASTEST)
             .found((speed / modulus.sqrt() - 1.0).abs());
         for weighting in [Weighting::UniformGimp, Weighting::QuadraticBSpline] {
             let column = let_go(1.0, poisson, weighting)?;
@@ -133,8 +130,7 @@ fn swing(
         let [u, v] = mode(x);
         [SPEED * u, SPEED * v, 0.0]
     });
-    let mut simulation = start(&scene, &swings)?;
-    to_time(&mut simulation, FRAC_PI_2 / frequency)?;
+    let simulation = at_time(&scene, &swings, FRAC_PI_2 / frequency)?;
     let (mut share, mut whole) = (0.0, 0.0);
     for seen in of_body(&simulation, 0) {
         let [u, v] = mode(&seen.position);
@@ -157,7 +153,7 @@ const EIGHT_CELLS: &str = "eight cells: (k h)²/24 of the grid along both axes, 
 fn as_exact(name: &str, [own, others @ ..]: [f64; 3]) -> Vec<Gate> {
     let of = |poisson, bound, reason| {
         let name = format!("{name}, nu = {poisson}: swing over the exact one, less one");
-        gate(name).at_most(bound).because(reason)
+        gate(name).at_most(bound, reason)
     };
     let no_part = "Poisson's ratio has no part in the exact mode";
     vec![
@@ -175,8 +171,10 @@ fn locking(weighting: Weighting) -> RowVerdict {
         RATIOS[1]
     );
     let locked = gate(name)
-        .at_least(2.0 * own)
-        .because("a square that did not lock without means over cells would prove nothing of them")
+        .at_least(
+            2.0 * own,
+            "a square that did not lock without means over cells would prove nothing of them",
+        )
         .found(locked);
     Ok(Finding::of(as_exact("means over cells", averaged)).and([locked]))
 }

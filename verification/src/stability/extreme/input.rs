@@ -1,7 +1,9 @@
-//! Input that no scene may have.
+//! Numbers that no scene may have: in its input, and those that go wrong at the start or on the way.
 
 use super::prelude::*;
-use proctor_scene::{BoxLoad, History, PointLoad, Traction};
+use crate::cases::traction;
+use proctor_scene::simulation::BodyHandle;
+use proctor_scene::{BoxLoad, PointLoad};
 
 /// The rows of this file.
 pub static ROWS: &[Extreme] = &[
@@ -11,6 +13,9 @@ pub static ROWS: &[Extreme] = &[
     Extreme::of("impossible-constants", impossible_constants)
         .with("E = 0, rho = 0, nu = 0.5, nu = -1, a volume of 0, and all of them negative")
         .must("refused with the name of the constant"),
+    Extreme::of("not-finite-state", not_finite_state)
+        .with("a velocity, a stress, a deformation or a force becomes NaN or infinite")
+        .must("the run stops in the same step, and goes on from the state before"),
 ];
 
 /// A sound scene with something in every list.
@@ -18,18 +23,14 @@ pub fn full() -> Scene {
     let mut scene = block([12, 12], [2.0, 2.0], [4.0, 4.0], soft());
     scene.materials[0].name = String::from("elastic");
     scene.time = 1.0;
-    scene.add_body(rectangle([6.0, 2.0], [8.0, 4.0]), 0).motion = Some(always([0.1, 0.0, 0.0]));
+    scene.add_body(rectangle([6.0, 2.0], [8.0, 4.0]), 0).motion = Some([0.1, 0.0, 0.0].into());
     scene.add_body(Shape::disc([3.0, 8.0], 1.0), 0);
-    scene.contacts = vec![collinear(1, 1, 2, 0.3)];
+    scene.add_contact([0, 1].map(BodyHandle::from), 0.3);
     scene.point_loads = vec![PointLoad {
         position: [3.0, 3.0, 0.0],
         force: [0.1, 0.0, 0.0],
     }];
-    scene.tractions = vec![Traction {
-        p1: [2.0, 4.0, 0.0],
-        p2: [4.0, 4.0, 0.0],
-        traction: [0.0, 0.1, 0.0].into(),
-    }];
+    scene.tractions = traction([2.0, 4.0, 0.0], [4.0, 4.0, 0.0], [0.0, 0.1, 0.0]);
     scene.box_loads = vec![BoxLoad {
         p1: [2.0, 2.0, 0.0],
         p2: [3.0, 3.0, 0.0],
@@ -64,7 +65,7 @@ const NUMBERS: &[Entry] = entries! {
     "materials[0].poisson": |s, x| s.materials[0].law = elastic(1.0, x);
     "bodies[0].initial_velocity[1]": |s, x| s.bodies[0].velocity[1] = x;
     "bodies[0].point_p1[0]": |s, x| s.bodies[0].shape = rectangle([x, 2.0], [4.0, 4.0]);
-    "bodies[1].prescribed_velocity[0][1]": |s, x| s.bodies[1].motion = Some(always([0.1, x, 0.0]));
+    "bodies[1].prescribed_velocity[0][1]": |s, x| s.bodies[1].motion = Some([0.1, x, 0.0].into());
     "bodies[1].prescribed_velocity[0]": |s, x| s.bodies[1].motion = Some(from_then_on(x));
     "bodies[2].center[1]": |s, x| s.bodies[2].shape = Shape::disc([3.0, x], 1.0);
     "bodies[2].radius": |s, x| s.bodies[2].shape = Shape::disc([3.0, 8.0], x);
@@ -100,7 +101,7 @@ const IMPOSSIBLE: &[(&str, &[f64])] = &[
 fn from_then_on(time: f64) -> History {
     History {
         times: vec![time],
-        ..always([0.1, 0.0, 0.0])
+        ..[0.1, 0.0, 0.0].into()
     }
 }
 
@@ -163,4 +164,87 @@ fn impossible_constants() -> RowVerdict {
         }
     }
     Ok(Finding::default().refusing(refusals))
+}
+
+/// Faults at the start of one particle.
+const FAULTS: [fn(&mut InitialState, f64); 3] = [
+    |state, x| state.velocity[1] = x,
+    |state, x| state.stress[0] = x,
+    |state, x| state.deformation[0][0] = x,
+];
+
+/// A place of a particle of the block below \[m\].
+const FAULTY: [f64; 2] = [3.75, 3.25];
+
+fn not_finite_state() -> RowVerdict {
+    let mut late = gate("values that are not finite and did not stop the run in their step")
+        .none("a value that is not finite reaches all neighbours in one step, so that the step must be the last");
+    let mut refusals = vec![];
+    for method in methods() {
+        let scene = with(&block([8, 8], [2.5, 2.5], [5.5, 5.5], soft()), method);
+        for put in FAULTS {
+            for value in [f64::NAN, f64::INFINITY] {
+                let sick = from(move |x| {
+                    let mut state = AT_REST;
+                    if x[..2] == FAULTY {
+                        put(&mut state, value);
+                    }
+                    state
+                });
+                let Some(error) = first_error(&mut start(&scene, &sick)?, 1) else {
+                    late.count(true);
+                    continue;
+                };
+                match error.kind {
+                    // An infinite speed allows no step at all.
+                    StepErrorKind::NotFinite(_) | StepErrorKind::TimeStands { .. } => {
+                        refusals.push(format!("{method}: {error}"));
+                    }
+                    _ => return Err(unexpected(format!("{method}: a value {value}"), error)),
+                }
+            }
+        }
+        refusals.push(goes_on_from_before(&scene, &mut late)?);
+    }
+    Ok(Finding::of([late]).refusing(refusals))
+}
+
+/// The message of a force that becomes NaN, which stops the run in that step; the state saved before goes on without it to
+/// the same bits.
+fn goes_on_from_before(scene: &Scene, late: &mut Gate) -> Result<String, RowFault> {
+    let what = method(scene);
+    let run = |sick: bool| {
+        let mut options = options();
+        options.body_force = Some(Arc::new(move |_, x, t| {
+            let broken = sick && t > 0.5 && x[0] > 4.0;
+            [if broken { f64::NAN } else { 0.01 }, 0.0, 0.0]
+        }));
+        start(scene, &options)
+    };
+    let mut sick = run(true)?;
+    let mut good = sick.save();
+    let error = loop {
+        if sick.steps() > 1000 {
+            return Err(unexpected(what, "a force that is not a number went unseen"));
+        }
+        match sick.step(NEVER) {
+            Ok(_) => good = sick.save(),
+            Err(error) => break error,
+        }
+    };
+    // The force is evaluated at the beginning of a step.
+    late.count(good.state.clock.time <= 0.5 || error.time != good.state.clock.time);
+    if !matches!(error.kind, StepErrorKind::NotFinite(_)) {
+        return Err(unexpected(what + ": a force that is not a number", error));
+    }
+    let mut healed = run(false)?;
+    healed.restore(good).map_err(|e| unexpected(&what, e))?;
+    steps(&mut healed, 10)?;
+    let mut whole = run(false)?;
+    steps(&mut whole, healed.steps())?;
+    if whole.state_hash() != healed.state_hash() {
+        let fault = "the state before the fault does not go on as if there had been none";
+        return Err(unexpected(what, fault));
+    }
+    Ok(format!("{what}: {error}"))
 }

@@ -112,12 +112,10 @@ fn swings(bars: impl IntoIterator<Item = Bar>) -> RowVerdict {
     let kh = PI / LENGTH as f64;
     let mut gates = [
         gate("period of a bar of ten cells, relative error")
-            .at_most(kh * kh / 3.0)
-            .because("a quadratic B-spline, the widest function, is a filter of variance h²/4; a step applies it four times, which \
+            .at_most(kh * kh / 3.0, "a quadratic B-spline, the widest function, is a filter of variance h²/4; a step applies it four times, which \
              costs (kh)²/4 of the frequency; the time step and few particles may cost a third of that again"),
         gate("highest energy over that at the start")
-            .at_most(1.0 + kh * kh)
-            .because("none is given; strain energy beside the mean of the kinetic energies half a step before and after, and the filter, are \
+            .at_most(1.0 + kh * kh, "none is given; strain energy beside the mean of the kinetic energies half a step before and after, and the filter, are \
              of order (kh)²"),
     ];
     for bar in bars {
@@ -166,8 +164,7 @@ fn flat(dimension: Dimension) -> Scene {
 
 fn one_cell_across() -> RowVerdict {
     let mut flatter = gate("a cell of space between two walls against plane strain, relative")
-        .at_most(1e-12)
-        .because("both are plane strain; 40 steps of a hundred roundings each, with a node's mass as little as a hundredth");
+        .at_most(1e-12, "both are plane strain; 40 steps of a hundred roundings each, with a node's mass as little as a hundredth");
     let gradient = [[0.02, -0.03, 0.0], [0.03, -0.01, 0.0], [0.0; 3]];
     let initial = from(move |x| {
         let along = |a: usize| (0..2).map(|b| gradient[a][b] * (x[b] - 4.7)).sum();
@@ -183,8 +180,7 @@ fn one_cell_across() -> RowVerdict {
         .filter(calm);
     for method in methods {
         let run = |dimension| -> Result<Vec<ParticleState>, RowFault> {
-            let mut simulation = start(&with(&flat(dimension), method), &initial)?;
-            steps(&mut simulation, 40)?;
+            let simulation = after(&with(&flat(dimension), method), &initial, 40)?;
             Ok(particles(&simulation))
         };
         let (plane, space) = (run(Dimension::Two)?, run(Dimension::Three)?);

@@ -5,16 +5,12 @@
 //! balance of momentum or energy, a symmetry, equal bits) and the messages of what was refused.
 
 mod alone;
-mod apart;
 mod bits;
 mod contrast;
-mod corner;
 mod fast;
-mod friction;
 mod gates;
 mod incompressible;
 mod input;
-mod light;
 mod mesh;
 mod motion;
 mod nothing;
@@ -23,7 +19,6 @@ mod places;
 mod prelude;
 mod ringing;
 mod starts;
-mod state;
 mod steps;
 mod stiff_contact;
 mod touching;
@@ -37,25 +32,20 @@ use thiserror::Error;
 /// The lists of rows, in the order in which they are shown.
 static LISTS: &[&[Extreme]] = &[
     places::ROWS,
-    light::ROWS,
     motion::ROWS,
     bits::ROWS,
     mesh::ROWS,
     steps::ROWS,
     input::ROWS,
-    state::ROWS,
     nothing::ROWS,
     contrast::ROWS,
     incompressible::ROWS,
     alone::ROWS,
     fast::ROWS,
-    apart::ROWS,
     ringing::ROWS,
     turning::ROWS,
-    friction::ROWS,
     touching::ROWS,
     stiff_contact::ROWS,
-    corner::ROWS,
     watch::ROWS,
 ];
 

@@ -26,18 +26,20 @@ fn light_nodes_act(method: Method) -> bool {
 fn translation() -> RowVerdict {
     let gates = |whose: &str| {
         [
-            gate(format!("velocity, relative, {whose}"))
-                .at_most(1e-13)
-                .because("5d: 1e-13 of the speed, about 500 roundings of a weighted mean"),
-            gate(format!("position [m], {whose}"))
-                .at_most(1e-12)
-                .because("each of some 50 to 2000 steps rounds a coordinate of 14 m to 1.8e-15 m"),
-            gate(format!("stress over E, {whose}"))
-                .at_most(1e-12)
-                .because("5d: 1e-12 of E, the gradient of a uniform velocity is round-off"),
+            gate(format!("velocity, relative, {whose}")).at_most(
+                1e-13,
+                "5d: 1e-13 of the speed, about 500 roundings of a weighted mean",
+            ),
+            gate(format!("position [m], {whose}")).at_most(
+                1e-12,
+                "each of some 50 to 2000 steps rounds a coordinate of 14 m to 1.8e-15 m",
+            ),
+            gate(format!("stress over E, {whose}")).at_most(
+                1e-12,
+                "5d: 1e-12 of E, the gradient of a uniform velocity is round-off",
+            ),
             gate(format!("deformation gradient less unity, {whose}"))
-                .at_most(1e-12)
-                .because("a stress of 1e-12 E is a strain of 1e-12"),
+                .at_most(1e-12, "a stress of 1e-12 E is a strain of 1e-12"),
         ]
     };
     let mut calm = gates("where light nodes are calm");
@@ -91,16 +93,13 @@ fn internal_energy(simulation: &Simulation) -> f64 {
 
 fn speeds() -> RowVerdict {
     let mut lost = gate("momentum lost, over the sum of its magnitudes")
-        .at_most(1e-12)
-        .because("weights sum to one and their gradients to zero, so that only round-off of up to 4000 steps is left");
-    let mut drift = gate("centre beside momentum times time over mass [m]")
-        .at_most(1e-11)
-        .because(
-            "the centre moves by the momentum alone; up to 4000 roundings of coordinates of 15 m",
-        );
+        .at_most(1e-12, "weights sum to one and their gradients to zero, so that only round-off of up to 4000 steps is left");
+    let mut drift = gate("centre beside momentum times time over mass [m]").at_most(
+        1e-11,
+        "the centre moves by the momentum alone; up to 4000 roundings of coordinates of 15 m",
+    );
     let mut grown = gate("energy within the body over that at the start")
-        .at_most(2.0)
-        .because("none is given; one factor of two is what cell crossing may lend, an unstable run doubles it again and again");
+        .at_most(2.0, "none is given; one factor of two is what cell crossing may lend, an unstable run doubles it again and again");
     for method in METHODS {
         for ratio in [1e-6, 1e-4, 1e-2, 0.1, 1.0, 10.0] {
             // The body flies at 1 m/s.

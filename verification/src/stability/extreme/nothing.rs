@@ -34,12 +34,15 @@ fn no_particles() -> RowVerdict {
         refused("a body without particles", &small, &options(), of_body)?,
     ];
     // A body that flies out, particle by particle.
-    let mut off = gate("mass that is neither left nor booked, over all")
-        .at_most(1e-15)
-        .because("sixteen masses of a quarter are summed without round-off");
+    let mut off = gate("mass that is neither left nor booked, over all").at_most(
+        1e-15,
+        "sixteen masses of a quarter are summed without round-off",
+    );
     let mut ran = gate("methods with which a run goes on without particles")
-        .at_least(methods().len() as f64)
-        .because("the body needs 3 s to leave at 1 m/s, and 4 s are run")
+        .at_least(
+            methods().len() as f64,
+            "the body needs 3 s to leave at 1 m/s, and 4 s are run",
+        )
         .found(0.0);
     for method in methods() {
         let mut scene = with(&block([8, 8], [5.0, 3.0], [7.0, 5.0], soft()), method);
@@ -90,12 +93,10 @@ fn empty_mesh() -> RowVerdict {
         let t = simulation.time();
         gates.extend([
             gate(format!("{what}: height after a fall [m]"))
-                .at_most(1e-10)
-                .because("the fall is exact; 100 steps at a height of 5000 m, whose last digit is 9e-13 m")
+                .at_most(1e-10, "the fall is exact; 100 steps at a height of 5000 m, whose last digit is 9e-13 m")
                 .found((after[1] - before[1] + 0.005 * t * t).abs()),
             gate(format!("{what}: nodes in use"))
-                .at_most(64.0)
-                .because("two cells with three nodes per axis and a cell of travel on each side are no more than eight nodes per axis")
+                .at_most(64.0, "two cells with three nodes per axis and a cell of travel on each side are no more than eight nodes per axis")
                 .found(simulation.nodes_active() as f64),
         ]);
     }

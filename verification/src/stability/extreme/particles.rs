@@ -52,28 +52,7 @@ pub fn sum(simulation: &Simulation, of: impl Fn(&ParticleState) -> f64) -> f64 {
     of_body(simulation, 0).map(|seen| of(&seen)).sum()
 }
 
-/// Largest magnitude; infinite where there is something that is not a number.
-pub fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
-    values.into_iter().fold(0.0, |most, value| {
-        if value.is_nan() {
-            f64::INFINITY
-        } else {
-            value.abs().max(most)
-        }
-    })
-}
-
-/// The larger of two numbers; NaN if one of them is NaN.
-pub fn worst(a: f64, b: f64) -> f64 {
-    if b > a || b.is_nan() { b } else { a }
-}
-
-/// Largest difference of two vectors along any axis.
-pub fn apart<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
-    largest((0..N).map(|axis| a[axis] - b[axis]))
-}
-
-/// The same of all particles of two lists, of what is read of each.
+/// Largest difference along any axis of all particles of two lists, of what is read of each.
 pub fn all_apart<const N: usize>(
     a: &[ParticleState],
     b: &[ParticleState],
@@ -85,11 +64,6 @@ pub fn all_apart<const N: usize>(
 /// Largest component of the stress of any particle of the first body \[Pa\].
 pub fn largest_stress(simulation: &Simulation) -> f64 {
     largest(of_body(simulation, 0).flat_map(|seen| seen.stress))
-}
-
-/// Kinetic and strain energy, and what contact stores \[J\].
-pub fn energy(simulation: &Simulation) -> f64 {
-    simulation.kinetic_energy() + simulation.strain_energy() + simulation.mortar_energy()
 }
 
 /// Sum over all particles of what is made of mass \[kg\] and velocity \[m/s\].

@@ -1,6 +1,8 @@
-//! Particles and edges exactly on nodes, and a hair's breadth beside them.
+//! Particles and edges exactly on nodes and a hair's breadth beside them, nodes of next to no mass, and bodies of next to no
+//! thickness.
 
 use super::prelude::*;
+use proctor_scene::simulation::NodeValues;
 
 /// The rows of this file.
 pub static ROWS: &[Extreme] = &[
@@ -13,13 +15,19 @@ pub static ROWS: &[Extreme] = &[
     Extreme::of("edge-on-node", edge_on_node)
         .with("a block that ends exactly at a node, and an ulp beyond")
         .must("an ulp changes the result by less than 1e-12"),
+    Extreme::of("nodes-of-no-mass", nodes_of_no_mass)
+        .with("nodes with 1e-12 of the mass of a full one")
+        .must("no node faster than the particles, momentum to round-off, no energy from nowhere"),
+    Extreme::of("slivers", slivers)
+        .with("a block that fills a millionth of a cell at its edge, and a body that is a millionth of a cell thick")
+        .must("free fall is exact, momentum stays, no energy from nowhere"),
 ];
 
 /// Half-length of a particle with two per cell and axis \[m\], a number of the machine.
 const HALF: f64 = 0.25;
 
 /// Farthest node that a particle reaches along an axis \[m\].
-pub fn reach(weighting: Weighting) -> f64 {
+fn reach(weighting: Weighting) -> f64 {
     match weighting {
         Weighting::Linear => 1.0,
         Weighting::UniformGimp | Weighting::ContiguousGimp(_) => 1.0 + HALF,
@@ -31,7 +39,7 @@ pub fn reach(weighting: Weighting) -> f64 {
 const EXTENT: f64 = 12.0;
 
 /// A square of particles, `count` per axis, the first at `first` \[m\].
-pub fn square(first: [f64; 2], count: u32, method: Method) -> Scene {
+fn square(first: [f64; 2], count: u32, method: Method) -> Scene {
     let along = |k: u32, axis: usize| first[axis] + 2.0 * HALF * f64::from(k);
     let places = (0..count).flat_map(|i| (0..count).map(move |j| (i, j)));
     let seeds = places.map(|(i, j)| ([along(i, 0), along(j, 1), 0.0], 4.0 * HALF * HALF));
@@ -53,19 +61,22 @@ fn off_unity(simulation: &Simulation) -> f64 {
 }
 
 fn one_particle() -> RowVerdict {
-    let mut unity = gate("sum of the weights less one")
-        .at_most(4.5e-16)
-        .because("5d: 4e-16, two last digits of one");
+    use PlaneCondition::{Fixed, Free, Sliding};
+    let mut unity =
+        gate("sum of the weights less one").at_most(4.5e-16, "5d: 4e-16, two last digits of one");
     let mut at_edge = gate("the same on the boundary planes of the mesh, free, sliding and fixed")
-        .at_most(4.5e-16)
-        .because("5d: 4e-16; the region beyond a plane with a condition is folded back");
+        .at_most(
+            4.5e-16,
+            "5d: 4e-16; the region beyond a plane with a condition is folded back",
+        );
     let mut place = gate("weighted mean of the nodes' places less that of the particle [cells]")
-        .at_most(2e-15)
-        .because("nine weights with an error of 2e-16 each, at most one and a half cells away");
+        .at_most(
+            2e-15,
+            "nine weights with an error of 2e-16 each, at most one and a half cells away",
+        );
     let mut gradients = ["smooth", "linear"].map(|whose| {
         gate(format!("sum of the gradients of {whose} functions, by the force of a particle on itself [1/cell]"))
-            .at_most(4e-15)
-            .because("three by three gradients of at most one per cell, each with an error of 2e-16, of two stresses")
+            .at_most(4e-15, "three by three gradients of at most one per cell, each with an error of 2e-16, of two stresses")
     });
     let initial = stressed(|_| [STRESS, -STRESS, 0.0, 0.0, 0.0, 0.5 * STRESS]);
     for method in methods() {
@@ -82,25 +93,17 @@ fn one_particle() -> RowVerdict {
             unity.see(off_unity(&simulation));
             let nodes = simulation.node_values();
             for (axis, x) in [x, y].into_iter().enumerate() {
-                let moments = nodes
-                    .iter()
-                    .map(|node| node.mass * (node.position[axis] - x));
-                place.see((moments.sum::<f64>() / mass).abs());
+                let moment = |node: &NodeValues| node.mass * (node.position[axis] - x);
+                place.see((nodes.iter().map(moment).sum::<f64>() / mass).abs());
             }
             // A particle alone feels its own stress by the sum of the gradients.
             let speed = largest(particles(&simulation).iter().flat_map(|seen| seen.velocity));
             gradient.see(speed / (dt * STRESS));
         }
-        for plane in [
-            PlaneCondition::Free,
-            PlaneCondition::Sliding,
-            PlaneCondition::Fixed,
-        ] {
+        for plane in [Free, Sliding, Fixed] {
             for x in [0.0, 0.0_f64.next_up(), EXTENT, EXTENT.next_down()] {
                 let scene = square([x, 5.0], 1, method).with_planes(plane);
-                let mut simulation = start(&scene, &options())?;
-                steps(&mut simulation, 1)?;
-                at_edge.see(off_unity(&simulation));
+                at_edge.see(off_unity(&after(&scene, &options(), 1)?));
             }
         }
     }
@@ -128,8 +131,7 @@ fn smooth(x: &Vector) -> InitialState {
 /// ulp to either side.
 fn change(first: [f64; 2], method: Method, count: u64) -> Result<f64, RowFault> {
     let run = |first: [f64; 2]| -> Result<Vec<ParticleState>, RowFault> {
-        let mut simulation = start(&square(first, 5, method), &from(smooth))?;
-        steps(&mut simulation, count)?;
+        let simulation = after(&square(first, 5, method), &from(smooth), count)?;
         Ok(particles(&simulation))
     };
     let here = run(first)?;
@@ -152,12 +154,11 @@ const CONTINUOUS: &str = "functions and gradients are continuous: an ulp of 9e-1
                           cell; 5d: 1e-12";
 
 fn on_nodes() -> RowVerdict {
-    let mut smooth = gate("smooth functions, particles on nodes")
-        .at_most(1e-12)
-        .because(CONTINUOUS);
-    let mut linear = gate("linear functions, particles a quarter of a cell beside nodes")
-        .at_most(1e-12)
-        .because("on a node their gradient jumps, which is theirs; beside it they are smooth");
+    let mut smooth = gate("smooth functions, particles on nodes").at_most(1e-12, CONTINUOUS);
+    let mut linear = gate("linear functions, particles a quarter of a cell beside nodes").at_most(
+        1e-12,
+        "on a node their gradient jumps, which is theirs; beside it they are smooth",
+    );
     for method in methods() {
         // Particles on nodes and half way, or on faces only. The block does not end where its functions do.
         let jumps = method.weighting == Weighting::Linear;
@@ -183,9 +184,8 @@ fn edge_on_node() -> RowVerdict {
         };
         let method = of(Weighting::UniformGimp);
         let (scheme, transfer) = (method.scheme_word(), method.transfer_word());
-        let mut changed = gate(format!("{scheme} {transfer}: change by an ulp"))
-            .at_most(1e-12)
-            .because(CONTINUOUS);
+        let mut changed =
+            gate(format!("{scheme} {transfer}: change by an ulp")).at_most(1e-12, CONTINUOUS);
         // The gradient of linear functions jumps there.
         for weighting in SAFE {
             // The node 3 is reached by nothing, or by an ulp.
@@ -194,4 +194,96 @@ fn edge_on_node() -> RowVerdict {
         gates.push(changed);
     }
     Ok(Finding::of(gates))
+}
+
+/// Bodies left to themselves: energy over that at the start, and momentum over its scale.
+struct Left([Gate; 2]);
+
+impl Left {
+    fn new() -> Self {
+        Self([
+            gate("highest energy over that at the start")
+                .at_most(2.0, "none is given; kinetic energy that is half a step old and cell crossing may lend a factor of two, an unstable run doubles \
+                     it again and again"),
+            gate("momentum lost, over the sum of its magnitudes")
+                .at_most(1e-13, "weights sum to one and their gradients to zero at each node, however light: only round-off of the steps is left"),
+        ])
+    }
+
+    /// A run of 500 steps, with a method that has a safe step.
+    fn alone(&mut self, scene: &Scene, initial: &Options, method: Method) -> Result<(), RowFault> {
+        if !method.has_safe_step() {
+            return Ok(());
+        }
+        let [grown, lost] = &mut self.0;
+        let mut simulation = start(scene, initial)?;
+        let (begin, momentum) = (energy(&simulation), simulation.momentum());
+        let scale = scale_of_speeds(&simulation);
+        for _ in 0..50 {
+            steps(&mut simulation, 10)?;
+            grown.see(energy(&simulation) / begin);
+        }
+        lost.see(apart(&simulation.momentum(), &momentum) / scale);
+        trusted(&simulation)
+    }
+}
+
+fn nodes_of_no_mass() -> RowVerdict {
+    let mut left = Left::new();
+    let mut lightest = gate("mass of the lightest node over that of a full one")
+        .at_most(1e-12, "so that the scene is what it claims to be");
+    let mut flip = gate("fastest node over fastest particle, components, FLIP").at_most(
+        1.0 + 1e-14,
+        "the velocity of a node is a mean of those of its particles, however light it is",
+    );
+    let mut affine = gate("fastest node over fastest particle, components, APIC and TPIC")
+        .at_most(7.0, "a mean of v + grad v (x_I - x_p): a gradient of at most 2 v/h along each of two axes, over 1.5 cells");
+    for method in methods() {
+        // How far beyond the reach a particle has 1e-12 of itself on the next node.
+        let beyond = match method.weighting {
+            Weighting::Linear => 1e-12,
+            Weighting::UniformGimp | Weighting::ContiguousGimp(_) => 1e-6,
+            Weighting::QuadraticBSpline => 2.0_f64.sqrt() * 1e-6,
+        };
+        let first = 3.0 + reach(method.weighting) - beyond;
+        let scene = square([first, 4.1], 5, method);
+        // So slow that no place changes by a bit, and without stress: the first step shows what was mapped.
+        let mut simulation = start(&scene, &rough([0.0; 3], 1e-20, 0.0))?;
+        let fastest = largest(particles(&simulation).iter().flat_map(|seen| seen.velocity));
+        steps(&mut simulation, 1)?;
+        let nodes = simulation.node_values();
+        let masses = nodes.iter().map(|node| node.mass);
+        lightest.see(masses.fold(f64::INFINITY, f64::min));
+        let calm = method.transfer == TransferKind::Flip;
+        let speed = if calm { &mut flip } else { &mut affine };
+        speed.see(largest(nodes.iter().flat_map(|node| node.velocity)) / fastest);
+        left.alone(&scene, &rough([0.0; 3], 0.01, 0.0), method)?;
+    }
+    Ok(Finding::of([lightest, flip, affine]).and(left.0))
+}
+
+/// Thickness of a sliver \[cells\].
+const SLIVER: f64 = 1e-6;
+
+fn slivers() -> RowVerdict {
+    let mut left = Left::new();
+    let mut fall = gate("fall beside x + g t²/2, per step [m]")
+        .at_most(4e-15, "each step rounds a coordinate below 16 m, whose last digit is 1.8e-15 m, and a velocity below it");
+    for method in methods() {
+        let body = |low, high| with(&block([12, 12], low, high, soft()), method);
+        let edge = body([4.0, 4.0], [7.0 + SLIVER, 7.0 + SLIVER]);
+        left.alone(&edge, &rough([0.0; 3], 0.01, 0.01), method)?;
+        for scene in [edge, body([4.0, 8.0], [4.0 + SLIVER, 10.0])] {
+            let mut simulation = start(&scene.with_gravity([0.0, -0.5]), &options())?;
+            let mut exact = particles(&simulation);
+            to_time(&mut simulation, 1.0)?;
+            let t = simulation.time();
+            for seen in &mut exact {
+                seen.position[1] -= 0.25 * t * t;
+            }
+            let off = all_apart(&particles(&simulation), &exact, |seen| seen.position);
+            fall.see(off / simulation.steps() as f64);
+        }
+    }
+    Ok(Finding::of(left.0).and([fall]))
 }

@@ -8,9 +8,10 @@ pub(super) use proctor_scene::simulation::{
     EventKind, InitialState, Options, SetupError, Simulation, StartError, StepError, StepErrorKind,
 };
 pub(super) use proctor_scene::{
-    BodyBoundary, Contact, ContactNormal, Damping, Dimension, DomainUpdate, Enforcement, Mesh,
-    MortarContact, OnImbalance, Outside, ParticleSeed, PlaneCondition, RigidSurface, Scene, Shape,
-    StressScheme, TimeStep, Transfer, TransferKind, Vector, Vertices, VolumetricStrain, Weighting,
+    BodyBoundary, Contact, ContactNormal, Damping, Dimension, DomainUpdate, Enforcement, History,
+    Mesh, MortarContact, OnImbalance, Outside, ParticleSeed, PlaneCondition, RigidSurface, Scene,
+    Shape, StressScheme, TimeStep, Transfer, TransferKind, Vector, Vertices, VolumetricStrain,
+    Weighting,
 };
 
 pub(super) use super::gates::*;
@@ -19,7 +20,11 @@ pub(super) use super::starts::*;
 pub(super) use super::vocabulary::*;
 pub(super) use super::{Extreme, Finding, Judgement, RowFault, RowVerdict};
 pub(super) use crate::case::Gate;
-pub(super) use crate::cases::{AT_REST, cuboid, moving, moving_along_x, rectangle, uniaxial};
+pub(super) use crate::cases::{
+    AT_REST, confined_modulus as confined, cuboid, elastic_law as elastic, equal_steps_of as fixed,
+    larger as worst, moving, moving_along_x, rectangle, starting, uniaxial,
+};
+pub(super) use crate::generated::{apart, largest};
 pub(super) use crate::settings::Method;
 pub(super) use crate::stability::map::{SCHEMES, TRANSFERS, WEIGHTINGS};
-pub(super) use crate::stability::nonlinear::METHODS;
+pub(super) use crate::stability::nonlinear::{METHODS, energy};

@@ -36,7 +36,7 @@ fn creep(weighting: Weighting, scheme: StressScheme) -> Result<f64, RowFault> {
             let mut body = scene.add_body(listed(seeds), material);
             body.velocity = [speed, 0.0, 0.0];
             body.particles_per_cell = [1; 3];
-            body.motion = driven.then(|| always([speed, 0.0, 0.0]));
+            body.motion = driven.then(|| [speed, 0.0, 0.0].into());
         }
         scene
     };
@@ -61,14 +61,13 @@ fn creep(weighting: Weighting, scheme: StressScheme) -> Result<f64, RowFault> {
 
 fn creeping() -> RowVerdict {
     let mut ratio = gate("noise of the stress, root mean square, of linear functions over that of GIMP")
-        .at_least(10.0)
-        .because("domains that fill the bar give a uniform stress no force inside it; points that cross a node do at once");
-    let mut of_gimp = gate("noise with GIMP over the stress")
-        .at_most(1e-3)
-        .because("domains keep filling the bar but for its strain, which is 1e-3");
+        .at_least(10.0, "domains that fill the bar give a uniform stress no force inside it; points that cross a node do at once");
+    let mut of_gimp = gate("noise with GIMP over the stress").at_most(
+        1e-3,
+        "domains keep filling the bar but for its strain, which is 1e-3",
+    );
     let mut of_linear = gate("noise with linear functions over the stress")
-        .at_least(0.01)
-        .because("a point that crosses a node takes half of the force of two particles with it: without noise nothing crossed");
+        .at_least(0.01, "a point that crosses a node takes half of the force of two particles with it: without noise nothing crossed");
     for scheme in [StressScheme::Usf, StressScheme::Musl] {
         let linear = creep(Weighting::Linear, scheme)?;
         for weighting in [Weighting::UniformGimp, CONTIGUOUS] {
@@ -98,8 +97,7 @@ fn unseen(simulation: &Simulation, cells: usize) -> f64 {
 fn null_space() -> RowVerdict {
     const CELLS: usize = 8;
     let mut changed = gate("change of the stresses that no node sees, over their norm")
-        .at_most(1e-6)
-        .because("particles in a cell feel one velocity gradient; a swing of 1e-11 of a cell takes that share of a domain across a face, in \
+        .at_most(1e-6, "particles in a cell feel one velocity gradient; a swing of 1e-11 of a cell takes that share of a domain across a face, in \
          each of 5000 steps");
     let mut kept = Conservation::named("free block with stresses that alternate and noise");
     let mut bar = bar(CELLS);

@@ -1,6 +1,7 @@
 //! Starts of the rows: options with a velocity and a stress of each particle by its place.
 
 use super::prelude::*;
+use crate::random::mixed;
 
 /// One thread; displacements are kept.
 pub fn options() -> Options {
@@ -13,10 +14,7 @@ pub fn options() -> Options {
 
 /// The same, and a start of each particle by its place.
 pub fn from(initial: impl Fn(&Vector) -> InitialState + Send + Sync + 'static) -> Options {
-    Options {
-        initial: Some(Arc::new(initial)),
-        ..options()
-    }
+    starting(options(), initial)
 }
 
 /// A start with a velocity by the place \[m/s\].
@@ -57,9 +55,7 @@ pub fn noise(x: &Vector, seed: u64) -> f64 {
     for c in x {
         state ^= c.to_bits();
         state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        state = (state ^ (state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        state = (state ^ (state >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        state ^= state >> 31;
+        state = mixed(state);
     }
     unit(state)
 }

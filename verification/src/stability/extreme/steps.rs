@@ -25,17 +25,13 @@ const WAYS: [[f64; 2]; 5] = [
 const EDGE: f64 = 10.0;
 
 fn domain_exit() -> RowVerdict {
-    let mut misplaced = gate("exits told of a wrong body, place or step")
-        .none()
-        .because(
-            "a particle may be beyond a plane, by no more than the half cell that a step may cross",
-        );
+    let mut misplaced = gate("exits told of a wrong body, place or step").none(
+        "a particle may be beyond a plane, by no more than the half cell that a step may cross",
+    );
     let mut left = gate("runs with particles after all must have left")
-        .none()
-        .because("the last of them has 5.8 m to go, and 9 s at 0.7 m/s or more are run");
+        .none("the last of them has 5.8 m to go, and 9 s at 0.7 m/s or more are run");
     let mut off = gate("mass that is neither left nor booked, over all")
-        .at_most(2e-15)
-        .because("a sum of nine equal masses is rounded eight times");
+        .at_most(2e-15, "a sum of nine equal masses is rounded eight times");
     let mut refusals = vec![];
     let out = |at: &ParticleAt| at.position.iter().any(|x| !(0.0..=EDGE).contains(x));
     let just = |at: &ParticleAt| at.position.iter().all(|x| (-0.5..=EDGE + 0.5).contains(x));
@@ -82,17 +78,14 @@ fn blown_up(method: Method, time_step: TimeStep) -> Scene {
 }
 
 fn step_too_long() -> RowVerdict {
-    let mut latest = gate("steps until the blow-up is reported")
-        .at_most(MOST as f64)
-        .because("5d: within 100 steps");
+    let mut latest =
+        gate("steps until the blow-up is reported").at_most(MOST as f64, "5d: within 100 steps");
     let mut told = [
         gate("runs stopped or doubted for energy from nowhere")
-            .at_least(1.0)
-            .because("noise of 1e-9 and a step a little too long: energy doubles many times before a particle is strained by a half")
+            .at_least(1.0, "noise of 1e-9 and a step a little too long: energy doubles many times before a particle is strained by a half")
             .found(0.0),
         gate("runs stopped or doubted for a strain increment")
-            .at_least(1.0)
-            .because("noise of a thousandth strains particles before energy is looked at")
+            .at_least(1.0, "noise of a thousandth strains particles before energy is looked at")
             .found(0.0),
     ];
     let mut tell = |violation: &Violation| {

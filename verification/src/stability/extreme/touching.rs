@@ -1,9 +1,14 @@
-//! Bodies of very different mass that collide, and bodies that meet at one node.
+//! Bodies in contact: friction of nothing, of a thousand million and of exactly the slope, very different masses, and bodies
+//! that meet at one node.
 
 use super::prelude::*;
+use proctor_scene::simulation::BodyHandle;
 
 /// The rows of this file.
 pub static ROWS: &[Extreme] = &[
+    Extreme::of("friction", friction)
+        .with("a block on a slope of tan(theta) = 1/2 with friction 0, 1/2 exactly, 1e9 and infinite")
+        .must("free of friction it slides with g sin(theta) exactly; at 1/2 it does not run away; above it sticks; forces opposite to the bit"),
     Extreme::of("mass-ratio", mass_ratio)
         .with("a block runs into one that is 1e6 times as dense and as stiff")
         .must("forces opposite, momentum to round-off, no pull, the light one thrown back"),
@@ -18,6 +23,89 @@ pub static ROWS: &[Extreme] = &[
         .must("the mirror image, and the same"),
 ];
 
+/// Gates of contact on the grid.
+fn opposite(name: &str) -> Gate {
+    gate(name).at_most(
+        1e-13,
+        "the force on the one is that on the other, with its sign",
+    )
+}
+
+fn no_pull() -> Gate {
+    gate("pull over push").at_most(1e-13, "contact never pulls")
+}
+
+fn touch(name: &str) -> Gate {
+    gate(name).at_least(f64::MIN_POSITIVE, "bodies that did not touch show nothing")
+}
+
+/// Gravity along and across the slope \[m/s²\].
+const ALONG: f64 = 5e-5;
+const ACROSS: f64 = 1e-4;
+/// Thickness of the base and height of the block \[m\].
+const BASE: f64 = 3.0;
+const HEIGHT: f64 = 3.0;
+/// Time of the run \[s\]: the block swings on its base some ten times in 4 H/c.
+const END: f64 = 120.0;
+
+/// A block on a rigid base, which carries its weight from the start; Poisson's ratio is zero.
+fn slope(friction: f64) -> Scene {
+    let mut scene = open([24, 9]).with_gravity([ALONG, -ACROSS, 0.0]);
+    let base = rectangle([1.0, 0.0], [23.0, BASE]);
+    let block = rectangle([6.0, BASE], [12.0, BASE + HEIGHT]);
+    scene.body(base, elastic(1.0, 0.0), 1.0).motion = Some([0.0; 3].into());
+    scene.body(block, elastic(1.0, 0.0), 1.0);
+    scene.contacts = pair([1, 2], friction);
+    // Friction holds from the second step on; a step of MUSL alone would be a fifth of the bound.
+    scene.time_step = multiple(0.2);
+    scene
+}
+
+fn friction() -> RowVerdict {
+    let mut free = gate("friction 0: velocity over g sin(theta) t, less one")
+        .at_most(1e-9, "the normal of a flat base has no part along it but round-off, and nothing else acts along the slope");
+    let mut sticks = gate("friction 1e9 and infinite: way over what the block shears by at rest")
+        .at_most(
+            2.5,
+            "it swings between nothing and twice that, and a quarter for the first layer of cells",
+        );
+    let mut limit = gate("friction tan(theta): way over that of free sliding")
+        .at_most(2.0 * HEIGHT / (END * 0.5_f64.sqrt()), "until the base has felt all of the pull, H/c_s, friction is less than that by half in the mean, and from then on as \
+                 much: H/(c_s t) of the free way; twice that for the swings of the weight");
+    let mut unbalanced = opposite("sum of the forces on base and block, over the push");
+    let mut pull = no_pull();
+    let weight = |y: f64| -ACROSS * (BASE + HEIGHT - y).min(HEIGHT);
+    let settled = stressed(move |x| [0.0, weight(x[1]), 0.0, 0.0, 0.0, 0.0]);
+    for friction in [0.0, 0.5, 1e9, f64::INFINITY] {
+        for scene in each_scheme(&slope(friction), SAFE) {
+            let mut simulation = start(&scene, &settled)?;
+            let from = simulation.center(1).position[0];
+            let [mut off, mut push, mut pulled] = [0.0_f64; 3];
+            run_to(&mut simulation, END, |s, _| {
+                let (base, block) = (s.contact_force(0), s.contact_force(1));
+                off = worst(off, apart(&base, &block.map(|f| -f)));
+                push = push.max(block[1]);
+                pulled = pulled.max(-block[1]);
+            })?;
+            unbalanced.see(off / push);
+            pull.see(pulled / push);
+            let center = simulation.center(1);
+            let way = center.position[0] - from;
+            if friction == 0.0 {
+                let falling = ALONG * simulation.velocity_time();
+                free.see((center.velocity[0] / falling - 1.0).abs());
+            } else if friction == 0.5 {
+                limit.see((way / (0.5 * ALONG * END * END)).abs());
+            } else {
+                // What it shears by at rest is g_x rho H²/(3 G) in the mean.
+                let shear = 0.5;
+                sticks.see((way / (ALONG * HEIGHT * HEIGHT / (3.0 * shear))).abs());
+            }
+        }
+    }
+    Ok(Finding::of([free, sticks, limit, unbalanced, pull]))
+}
+
 /// Collisions of bodies that nothing else holds, and what the worst of several must keep.
 struct Collisions {
     kept: Conservation,
@@ -30,15 +118,9 @@ impl Collisions {
     fn new() -> Self {
         Self {
             kept: Conservation::named("collision"),
-            unbalanced: gate("sum of the forces on all bodies, over the largest push")
-                .at_most(1e-13)
-                .because("the force on the one is that on the other, with its sign"),
-            pull: gate("pull over push")
-                .at_most(1e-13)
-                .because("contact never pulls"),
-            push: gate("largest push [N], the least of all runs")
-                .at_least(f64::MIN_POSITIVE)
-                .because("bodies that did not touch show nothing"),
+            unbalanced: opposite("sum of the forces on all bodies, over the largest push"),
+            pull: no_pull(),
+            push: touch("largest push [N], the least of all runs"),
         }
     }
 
@@ -80,8 +162,7 @@ fn mass_ratio() -> RowVerdict {
     const RATIO: f64 = 1e6;
     let mut collisions = Collisions::new();
     let mut slowest = gate("speed at which they part over that at which they met")
-        .at_least(0.75)
-        .because("a bar leaves a wall with its speed turned round, but for a front that is spread over (h² L)^(1/3), a quarter of it");
+        .at_least(0.75, "a bar leaves a wall with its speed turned round, but for a front that is spread over (h² L)^(1/3), a quarter of it");
     for scheme in SCHEMES {
         // Between sliding planes and without lateral strain: waves of one dimension, of which nothing stays.
         let mut scene = open([24, 2]).with_scheme(scheme).between(1);
@@ -90,7 +171,7 @@ fn mass_ratio() -> RowVerdict {
             scene.body(shape, elastic(ratio, 0.0), ratio).velocity = [speed, 0.0, 0.0];
         }
         // The heavy one is flat and stiff: the master.
-        scene.contacts = vec![pair(1, 2, 1, 0.0)];
+        scene.contacts = pair([2, 1], 0.0);
         // The gap closes in 8 s, and a wave comes back through the block in 16 s.
         let simulation = collisions.run(&scene, 60.0, [1.0, 0.0, 0.0])?;
         let [v, w] = [0, 1].map(|set| simulation.center(set).velocity[0]);
@@ -103,8 +184,7 @@ fn one_node() -> RowVerdict {
     const SPEED: f64 = 0.02;
     let mut collisions = Collisions::new();
     let mut mirrored = gate("mean velocities against those of the mirror image, over the speed")
-        .at_most(1e-10)
-        .because("scene and mesh are their own reflection about the node; round-off, which the swings of the blocks carry along");
+        .at_most(1e-10, "scene and mesh are their own reflection about the node; round-off, which the swings of the blocks carry along");
     // They meet at (6, 6), a node; the point reflection about it takes each to the other.
     let diagonal = 0.5_f64.sqrt();
     for scheme in SCHEMES {
@@ -114,7 +194,7 @@ fn one_node() -> RowVerdict {
                 let shape = rectangle([low; 2], [low + 3.0; 2]);
                 scene.body(shape, elastic(1.0, 0.3), 1.0).velocity = [speed, speed, 0.0];
             }
-            scene.contacts = vec![collinear(1, 1, 2, friction)];
+            scene.add_contact([0, 1].map(BodyHandle::from), friction);
             let simulation = collisions.run(&scene, 40.0, [diagonal, diagonal, 0.0])?;
             let [a, b] = [0, 1].map(|set| simulation.center(set));
             mirrored.see(apart(&a.velocity, &b.velocity.map(|v| -v)) / SPEED);
@@ -147,12 +227,10 @@ fn wedges(scheme: StressScheme, speed: f64, exchanged: bool) -> Scene {
         body.velocity = middle.map(|c| -speed * c);
         body.particles_per_cell = [4, 4, 1];
     }
-    for a in 1..=COUNT as i64 {
-        for b in a + 1..=COUNT as i64 {
-            let (master, slave) = if exchanged { (b, a) } else { (a, b) };
-            scene
-                .contacts
-                .push(collinear(100 * a + b, master, slave, 0.3));
+    for a in 0..COUNT {
+        for b in a + 1..COUNT {
+            let bodies = if exchanged { [b, a] } else { [a, b] };
+            scene.add_contact(bodies.map(BodyHandle::from), 0.3);
         }
     }
     scene
@@ -164,16 +242,10 @@ const WATCHED: f64 = 40.0;
 
 fn ten_bodies() -> RowVerdict {
     let mut kept = Conservation::named("run together");
-    let mut unbalanced = gate("sum of the forces on all bodies, over the largest")
-        .at_most(1e-13)
-        .because("the force on the one is that on the other, with its sign")
-        .found(0.0);
-    let mut push = gate("largest force [N], the least of all runs")
-        .at_least(f64::MIN_POSITIVE)
-        .because("bodies that did not touch show nothing");
+    let mut unbalanced = opposite("sum of the forces on all bodies, over the largest");
+    let mut push = touch("largest force [N], the least of all runs");
     let mut middle = gate("way of the middle of each to the edges of its wedge, over the width of a wedge")
-        .at_least(0.25)
-        .because("it is half of the width at the start; wedges that cannot pass into each other stay but for their gaps");
+        .at_least(0.25, "it is half of the width at the start; wedges that cannot pass into each other stay but for their gaps");
     for scheme in SCHEMES {
         let mut simulation = kept.start(&wedges(scheme, GATHER, false), &options())?;
         let mut strongest = 0.0;
@@ -197,19 +269,18 @@ fn ten_bodies() -> RowVerdict {
 }
 
 fn ten_bodies_mirrored() -> RowVerdict {
-    let mut mirrored = gate("mean places against the mirror image, over a cell")
-        .at_most(1e-9)
-        .because(
-            "scene and mesh are their own mirror image; round-off, which the swings carry along",
-        );
+    let mut mirrored = gate("mean places against the mirror image, over a cell").at_most(
+        1e-9,
+        "scene and mesh are their own mirror image; round-off, which the swings carry along",
+    );
     let mut exchanged =
-        gate("mean places after masters and slaves have changed their names, over a cell")
-            .at_most(1e-9)
-            .because("the mean of both normals is the same, whichever body is called the master");
+        gate("mean places after masters and slaves have changed their names, over a cell").at_most(
+            1e-9,
+            "the mean of both normals is the same, whichever body is called the master",
+        );
     for scheme in SCHEMES {
         let places = |names: bool| -> Result<Vec<Vector>, RowFault> {
-            let mut simulation = start(&wedges(scheme, GATHER, names), &options())?;
-            to_time(&mut simulation, WATCHED)?;
+            let simulation = at_time(&wedges(scheme, GATHER, names), &options(), WATCHED)?;
             let all = 0..COUNT;
             Ok(all.map(|set| simulation.center(set).position).collect())
         };

@@ -61,15 +61,12 @@ fn ten_turns() -> RowVerdict {
     // In plane strain the mean of sigma_rr + sigma_tt is rho (omega R)²/2.
     let centrifugal = (1.0 + POISSON) * (1.0 - 2.0 * POISSON) * RIM * RIM / 2.0;
     let mut spin = gate("free disc: angular momentum with B-splines and APIC, change over it")
-        .at_most(1e-10)
-        .because("nodes exert no torque on each other, and APIC takes all that they have; round-off of 2e4 steps");
+        .at_most(1e-10, "nodes exert no torque on each other, and APIC takes all that they have; round-off of 2e4 steps");
     let mut wide = gate("free disc: largest growth of the area over the centrifugal one")
-        .at_most(2.5)
-        .because("applied at once it swings to twice the growth at rest, and a quarter for a rim of cells; each step taken along its \
+        .at_most(2.5, "applied at once it swings to twice the growth at rest, and a quarter for a rim of cells; each step taken along its \
              chord would add 1e3 times as much in ten turns");
     let mut skew = gate("free disc: a quarter turn of it against itself, over a cell")
-        .at_most(1e-8)
-        .because("disc and mesh are the same after a quarter turn; round-off of 2e4 steps, which the turns carry along");
+        .at_most(1e-8, "disc and mesh are the same after a quarter turn; round-off of 2e4 steps, which the turns carry along");
     let mut kept = Conservation::named("free disc");
     let left = Weighting::ContiguousGimp(DomainUpdate::LeftStretch);
     for scene in each_scheme(
@@ -96,9 +93,10 @@ fn ten_turns() -> RowVerdict {
 
 fn ten_turns_flip() -> RowVerdict {
     let time = TURNS * TAU * RADIUS / RIM;
-    let mut unsaid = gate("angular momentum lost in ten turns of which nothing was said")
-        .at_most(0.1)
-        .because("nothing turns a free disc; a tenth is what a user may call the same");
+    let mut unsaid = gate("angular momentum lost in ten turns of which nothing was said").at_most(
+        0.1,
+        "nothing turns a free disc; a tenth is what a user may call the same",
+    );
     for scene in each_scheme(&disc(TransferKind::Flip), [Weighting::UniformGimp]) {
         let mut simulation = start(&scene, &spins())?;
         let before = angular_momentum(&simulation);

@@ -1,15 +1,18 @@
 //! Vocabulary of the rows: open scenes, methods, runs in which any error is one that should not come, and readings.
 //!
+//! A [`RowFault`] of a run is its first error, with the method; of a refusal it is a scene that is taken, or refused for
+//! something else.
+//!
 //! Cells are 1 m and densities 1 kg/m³ where a row does not say otherwise.
 
 use super::prelude::*;
 use crate::case::{Case, Size};
-use crate::cases::{NO_RESULTS, elastic_law};
+use crate::cases::{NO_RESULTS, contact};
 use crate::settings::Settings;
 use crate::stability::map::LEAST_SQUARES;
 use crate::stability::scene::method_of;
+use proctor_scene::BodyEntry;
 use proctor_scene::simulation::{ParticleAt, StepInfo, TimeStepAboveCritical};
-use proctor_scene::{BodyEntry, History};
 use std::fmt;
 
 /// Round-off of some thousand steps, over what it is compared with.
@@ -32,19 +35,9 @@ pub const NEVER: f64 = 1e30;
 pub const YOUNG: f64 = 0.75;
 pub const POISSON: f64 = 0.3;
 
-/// Confined modulus of Young's modulus \[Pa\] and Poisson's ratio \[Pa\].
-pub fn confined(young: f64, poisson: f64) -> f64 {
-    young * (1.0 - poisson) / ((1.0 + poisson) * (1.0 - 2.0 * poisson))
-}
-
 /// A confined modulus of 1 Pa within a per cent.
 pub fn soft() -> AnyLaw {
-    elastic_law(YOUNG, POISSON)
-}
-
-/// Linear elasticity of Young's modulus \[Pa\] and Poisson's ratio.
-pub fn elastic(young: f64, poisson: f64) -> AnyLaw {
-    elastic_law(young, poisson)
+    elastic(YOUNG, POISSON)
 }
 
 /// An open mesh of the plane with nothing in it, which writes nothing.
@@ -158,14 +151,6 @@ pub const SAFE: [Weighting; 3] = [
     Weighting::QuadraticBSpline,
 ];
 
-/// Equal steps \[s\], refused where they are not stable.
-pub fn fixed(dt: f64) -> TimeStep {
-    TimeStep::Fixed {
-        dt,
-        allow_unstable: false,
-    }
-}
-
 /// Steps of a multiple of h/(c + |v|), refused where they are not stable.
 pub fn multiple(multiplier: f64) -> TimeStep {
     TimeStep::Multiplier {
@@ -190,32 +175,9 @@ pub fn count_of(method: Method, count: u64) -> u64 {
     if method.has_safe_step() { count } else { 2 }
 }
 
-/// Contact on the grid with the normal of the master.
-pub fn pair(id: i64, master: i64, slave: i64, friction: f64) -> Contact {
-    Contact {
-        name: format!("contact {id}"),
-        id,
-        friction,
-        master,
-        slave,
-        normal: ContactNormal::Master,
-    }
-}
-
-/// The same with the mean of both normals.
-pub fn collinear(id: i64, master: i64, slave: i64, friction: f64) -> Contact {
-    Contact {
-        normal: ContactNormal::Collinear,
-        ..pair(id, master, slave, friction)
-    }
-}
-
-/// A prescribed velocity that stays \[m/s\].
-pub fn always(velocity: Vector) -> History {
-    History {
-        times: vec![0.0],
-        values: vec![velocity],
-    }
+/// The only contact of a scene, with the normal of its first body, the master, on its grid.
+pub fn pair(bodies: [i64; 2], friction: f64) -> Vec<Contact> {
+    contact("contact 1", bodies, friction, ContactNormal::Master)
 }
 
 /// An error where none should be.
@@ -229,27 +191,18 @@ pub fn method(scene: &Scene) -> String {
 }
 
 /// Checks a scene and sets it in motion.
-///
-/// # Errors
-/// If it does not start.
 pub fn start(scene: &Scene, options: &Options) -> Result<Simulation, RowFault> {
     let refused = |error| unexpected(method(scene) + ": refused", error);
     scene.simulate(options).map_err(refused)
 }
 
 /// A step that must not fail.
-///
-/// # Errors
-/// The error of the step, with the method.
 pub fn step(simulation: &mut Simulation, stop: f64) -> Result<StepInfo, RowFault> {
     let stepped = simulation.step(stop);
     stepped.map_err(|error| unexpected(method(simulation.scene()), error))
 }
 
 /// Runs so many steps.
-///
-/// # Errors
-/// The first that fails.
 pub fn steps(simulation: &mut Simulation, count: u64) -> Result<(), RowFault> {
     for _ in 0..count {
         step(simulation, NEVER)?;
@@ -257,10 +210,21 @@ pub fn steps(simulation: &mut Simulation, count: u64) -> Result<(), RowFault> {
     Ok(())
 }
 
+/// A scene after so many steps.
+pub fn after(scene: &Scene, options: &Options, count: u64) -> Result<Simulation, RowFault> {
+    let mut simulation = start(scene, options)?;
+    steps(&mut simulation, count)?;
+    Ok(simulation)
+}
+
+/// A scene at a time \[s\].
+pub fn at_time(scene: &Scene, options: &Options, time: f64) -> Result<Simulation, RowFault> {
+    let mut simulation = start(scene, options)?;
+    to_time(&mut simulation, time)?;
+    Ok(simulation)
+}
+
 /// Runs so many steps and looks at those whose number `every` divides.
-///
-/// # Errors
-/// The first that fails.
 pub fn each_of(
     simulation: &mut Simulation,
     [count, every]: [u64; 2],
@@ -276,17 +240,11 @@ pub fn each_of(
 }
 
 /// Runs to a time \[s\].
-///
-/// # Errors
-/// The first step that fails.
 pub fn to_time(simulation: &mut Simulation, time: f64) -> Result<(), RowFault> {
     run_to(simulation, time, |_, _| ())
 }
 
 /// Runs to a time \[s\] and looks at every step.
-///
-/// # Errors
-/// The first step that fails.
 pub fn run_to(
     simulation: &mut Simulation,
     time: f64,
@@ -328,9 +286,6 @@ pub fn stopped(
 }
 
 /// The message of a scene that is refused when its run is set up, as `known` tells it of the error.
-///
-/// # Errors
-/// A scene that is taken, or refused for something else.
 pub fn refused(
     what: impl fmt::Display,
     scene: &Scene,
@@ -347,9 +302,6 @@ pub fn refused(
 }
 
 /// The message of a scene that is refused for its step, of which `right` holds.
-///
-/// # Errors
-/// A scene that is taken, or refused for something else.
 pub fn refused_step(
     what: impl fmt::Display,
     scene: &Scene,
@@ -378,9 +330,6 @@ pub fn unbooked(simulation: &Simulation, mass: f64) -> f64 {
 }
 
 /// The gates of a verification case with its short ladder.
-///
-/// # Errors
-/// A rung that could not be solved.
 pub fn of_case(case: &Case) -> Result<Vec<Gate>, RowFault> {
     let mut solved = vec![];
     for rung in case.rungs(Size::Quick) {

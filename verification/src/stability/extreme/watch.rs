@@ -50,8 +50,7 @@ fn noticed(run: &Run, reasons: &[Invariant], most: u64) -> Result<String, RowFau
 /// Sound runs are let go.
 fn no_alarm(name: &str, runs: impl IntoIterator<Item = Run>, most: u64) -> Judgement {
     let mut alarms = gate(format!("{name}: sound runs that the watch stopped"))
-        .none()
-        .because("a watch that stops sound runs is switched off");
+        .none("a watch that stops sound runs is switched off");
     for run in runs {
         alarms.count(watched(&run, most)?.is_some());
     }
