@@ -31,6 +31,17 @@ pub enum Size {
     Full,
 }
 
+impl Size {
+    /// The value of the short ladder, or that of the full one.
+    #[must_use]
+    pub fn pick<T>(self, short: T, full: T) -> T {
+        match self {
+            Self::Quick => short,
+            Self::Full => full,
+        }
+    }
+}
+
 /// A number that a run gave, with what it should have been: an error where it has a relative one, a balance where it
 /// should be zero and nothing scales it, a figure where nothing exact is known.
 #[derive(Clone, Debug, PartialEq)]

@@ -78,10 +78,7 @@ fn still_swinging(rung: &Rung) -> Guest {
 
 /// Each rung with its method.
 fn rungs(size: Size) -> Vec<Rung> {
-    let count = match size {
-        Size::Quick => 16,
-        Size::Full => 32,
-    };
+    let count = size.pick(16, 32);
     let mut rungs = vec![];
     for (variant, _) in VARIANTS {
         for weighting in WEIGHTINGS {

@@ -203,10 +203,7 @@ fn lines(runs: &Runs<'_>) -> Verdict {
 }
 
 fn path(size: Size) -> Vec<Rung> {
-    let cells: &[u32] = match size {
-        Size::Quick => &[8, 16, 32],
-        Size::Full => &[8, 16, 32, 64, 128],
-    };
+    let cells: &[u32] = size.pick(&[8, 16, 32], &[8, 16, 32, 64, 128]);
     rungs_of("smooth", cells)
 }
 

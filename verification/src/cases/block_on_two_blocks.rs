@@ -105,10 +105,7 @@ fn variant(rung: &Rung) -> (Dimension, StressScheme) {
 }
 
 fn rungs(size: Size) -> Vec<Rung> {
-    let cells: &[(f64, usize)] = match size {
-        Size::Quick => &[(0.1, 3)],
-        Size::Full => &[(0.1, 4), (0.05, 3)],
-    };
+    let cells: &[(f64, usize)] = size.pick(&[(0.1, 3)], &[(0.1, 4), (0.05, 3)]);
     let of = |&(cell, count): &(f64, usize)| {
         let variants = VARIANTS.into_iter().take(count);
         variants.map(move |v| Rung::new(v.0, cell))

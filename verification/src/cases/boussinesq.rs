@@ -77,10 +77,7 @@ fn rungs_of(loading: Loading, cells: &[u32]) -> Vec<Rung> {
 }
 
 fn rungs(size: Size) -> Vec<Rung> {
-    let cells: &[u32] = match size {
-        Size::Quick => &[8, 16],
-        Size::Full => &[8, 16, 32],
-    };
+    let cells: &[u32] = size.pick(&[8, 16], &[8, 16, 32]);
     let of = |&loading: &Loading| rungs_of(loading, cells);
     Loading::ALL.iter().flat_map(of).collect()
 }
@@ -129,10 +126,7 @@ fn compare(run: &mut Run<'_>) -> Result<Measurements, Failure> {
 
 fn path(size: Size) -> Vec<Rung> {
     // The patch ends at nodes, where other solvers take their loads: eight cells along a side, or a multiple.
-    let cells: &[u32] = match size {
-        Size::Quick => &[8, 16, 24],
-        Size::Full => &[8, 16, 32],
-    };
+    let cells: &[u32] = size.pick(&[8, 16, 24], &[8, 16, 32]);
     rungs_of(Loading::Patch, cells)
 }
 

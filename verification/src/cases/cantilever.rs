@@ -324,9 +324,6 @@ fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
 }
 
 fn path(size: Size) -> Vec<Rung> {
-    let cells = match size {
-        Size::Quick => &CELLS[..3],
-        Size::Full => &CELLS,
-    };
+    let cells = size.pick(&CELLS[..3], &CELLS);
     Rung::ladders(&[(BARE, cells)])
 }

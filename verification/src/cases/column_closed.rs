@@ -29,10 +29,7 @@ pub static COLUMN_CLOSED: Case = Case::new(
     "Does soil from which no water can flow swing as one solid of the undrained modulus?",
 )
 .ladder(Ladder::made(|size| {
-    let counts: &[u32] = match size {
-        Size::Quick => &[10, 20],
-        Size::Full => &[10, 20, 40],
-    };
+    let counts: &[u32] = size.pick(&[10, 20], &[10, 20, 40]);
     let of = |number: usize| of_soil(number, SOILS[number].0, counts);
     (0..SOILS.len()).flat_map(of).collect()
 }))

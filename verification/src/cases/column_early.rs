@@ -22,10 +22,7 @@ pub static COLUMN_EARLY: Case = Case::new(
 )
 .ladder(Ladder::made(|size| {
     let of = |number: usize| of_soil(number, SOILS[number].0, &[CELLS]);
-    let last = match size {
-        Size::Quick => 1,
-        Size::Full => SOILS.len(),
-    };
+    let last = size.pick(1, SOILS.len());
     (0..last).flat_map(of).collect()
 }))
 .method(|_| Settings::new(Method::DEFAULT).courant(WET_COURANT))

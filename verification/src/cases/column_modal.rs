@@ -59,10 +59,7 @@ pub static COLUMN_MODAL: Case = Case::new(
 )])
 .wrong_references(&[WRONG_CONDUCTIVITY, WRONG_MODULUS])
 .studies(&[Plan::new(
-    Ladder::made(|size| match size {
-        Size::Quick => of_soil(1, SOILS[1].0, &[10, 20]),
-        Size::Full => of_soil(1, SOILS[1].0, &[10, 20, 40]),
-    }),
+    Ladder::made(|size| of_soil(1, SOILS[1].0, size.pick(&[10, 20], &[10, 20, 40]))),
     &[
         Measure::new("displacement", TOP),
         Measure::new("pressure", PRESSURE),
@@ -79,10 +76,7 @@ fn rungs(size: Size) -> Vec<Rung> {
         let counts = if number == 0 { &[20, 32] } else { &[16, 32] };
         of_soil(number, SOILS[number].0, counts)
     };
-    match size {
-        Size::Quick => of(1),
-        Size::Full => (0..SOILS.len()).flat_map(of).collect(),
-    }
+    size.pick(of(1), (0..SOILS.len()).flat_map(of).collect())
 }
 
 fn scene(rung: &Rung, settings: &Settings) -> Scene {

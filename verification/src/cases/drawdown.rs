@@ -107,10 +107,7 @@ fn surface(x: f64) -> f64 {
 }
 
 fn rungs(size: Size) -> Vec<Rung> {
-    let cells: &[f64] = match size {
-        Size::Quick => &[0.5],
-        Size::Full => &[0.5, 0.25],
-    };
+    let cells: &[f64] = size.pick(&[0.5], &[0.5, 0.25]);
     Rung::ladders(&[(FULL, cells), (DRAWN, cells)])
 }
 

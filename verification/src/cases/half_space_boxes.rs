@@ -52,10 +52,7 @@ pub static HALF_SPACE_BOXES: Case = Case::new(
 .no_guest("*boussinesq* is the same box");
 
 fn rungs(size: Size) -> Vec<Rung> {
-    let counts: &[u32] = match size {
-        Size::Quick => &[4, 6],
-        Size::Full => &[4, 8, 16],
-    };
+    let counts: &[u32] = size.pick(&[4, 6], &[4, 8, 16]);
     let of = |&(variant, side): &(&'static str, f64)| -> Vec<Rung> {
         let rung = |&n: &u32| {
             let label = format!("{variant} h=1/{n}");

@@ -20,10 +20,7 @@ pub static HERTZ_SLAB: Case = Case::new(
     "Does a slab in three dimensions give the Hertz contact of the plane?",
 )
 .ladder(Ladder::made(|size| {
-    slab::rungs(match size {
-        Size::Quick => &[0.4],
-        Size::Full => &[0.4, 0.2, 0.1],
-    })
+    slab::rungs(size.pick(&[0.4], &[0.4, 0.2, 0.1]))
 }))
 .method(|rung| hertz::method(&in_plane(rung)))
 .tried_scene(|rung, settings| {

@@ -50,10 +50,7 @@ pub static HERTZ_SPHERE: Case = Case::new(
     "Is the pressure between an elastic ball and a rigid plane that of Hertz?",
 )
 .ladder(Ladder::made(|size| {
-    of_cells(match size {
-        Size::Quick => &[0.5],
-        Size::Full => &[0.5, 0.375, 0.25],
-    })
+    of_cells(size.pick(&[0.5], &[0.5, 0.375, 0.25]))
 }))
 .method(|_| Settings::new(APIC))
 .tried_scene(|rung, settings| Ok(build(rung, settings)?))
@@ -66,12 +63,7 @@ pub static HERTZ_SPHERE: Case = Case::new(
 .tables(&[TableRule::new("{variant}", &[FORCE, PEAK, WIDTH, L2])])
 .wrong_references(&[WRONG_LOAD])
 .studies(&[Plan::new(
-    Ladder::made(|size| {
-        of_cells(match size {
-            Size::Quick => &[1.2, 0.6],
-            Size::Full => &[1.5, 0.75, 0.375],
-        })
-    }),
+    Ladder::made(|size| of_cells(size.pick(&[1.2, 0.6], &[1.5, 0.75, 0.375]))),
     &[
         Measure::new("pressure", L2),
         Measure::new("peak", PEAK),
@@ -80,12 +72,7 @@ pub static HERTZ_SPHERE: Case = Case::new(
     3,
 )
 // Down to an error of 1 % in peak and radius.
-.going_on(Ladder::made(|size| {
-    of_cells(match size {
-        Size::Quick => &[],
-        Size::Full => &[0.25],
-    })
-}))
+.going_on(Ladder::made(|size| of_cells(size.pick(&[], &[0.25]))))
 .trying(few)])
 .no_guest("only the pressure of the contact is known exactly, and frames of particles hold none");
 

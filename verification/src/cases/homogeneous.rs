@@ -308,10 +308,7 @@ fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
 }
 
 fn rungs(size: Size) -> Vec<Rung> {
-    let counts: &'static [u32] = match size {
-        Size::Quick => &[2],
-        Size::Full => &[2, 4],
-    };
+    let counts: &'static [u32] = size.pick(&[2], &[2, 4]);
     Rung::of_problems(&VARIANTS, |v| v.name, "H/h", HEIGHT, |_| counts)
 }
 

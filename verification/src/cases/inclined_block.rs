@@ -123,11 +123,7 @@ fn rungs(size: Size) -> Vec<Rung> {
         (Dimension::Two, 0.5),
         (Dimension::Three, 1.0),
     ];
-    let cells = if size == Size::Quick {
-        &whole[..1]
-    } else {
-        &whole
-    };
+    let cells = size.pick(&whole[..1], &whole);
     for &(dimension, cell) in cells {
         for (_, scheme, [slides, sticks]) in VARIANTS.into_iter().filter(|v| v.0 == dimension) {
             let problem = |kind, friction| Problem {
@@ -171,10 +167,7 @@ fn rung(variant: &'static str, cell: f64, friction: f64, how: &str) -> Rung {
 
 /// The path of the study with its problem.
 fn path(size: Size) -> Vec<Rung> {
-    let cells: &[f64] = match size {
-        Size::Quick => &[1.0, 0.5],
-        Size::Full => &[1.0, 0.5, 0.25, 0.125],
-    };
+    let cells: &[f64] = size.pick(&[1.0, 0.5], &[1.0, 0.5, 0.25, 0.125]);
     let problem = Problem {
         kind: Kind::Settled,
         dimension: Dimension::Two,

@@ -208,11 +208,7 @@ fn rungs(size: Size) -> Vec<Rung> {
         (Dimension::Two, 0.5),
         (Dimension::Three, 1.0),
     ];
-    let cells = if size == Size::Quick {
-        &whole[..1]
-    } else {
-        &whole
-    };
+    let cells = size.pick(&whole[..1], &whole);
     let of = |&(dimension, cell): &(Dimension, f64)| {
         let own = VARIANTS.into_iter().filter(move |v| v.1 == dimension);
         own.map(move |v| Rung::new(v.0, cell))

@@ -76,10 +76,7 @@ pub static INCOMPRESSIBLE_BOX: Case = Case::new("incompressible-box", "Does a ne
         .no_guest("without means of volumetric strain over cells, which the manuals do not know, it locks");
 
 fn rungs(size: Size) -> Vec<Rung> {
-    let counts: &[u32] = match size {
-        Size::Quick => &[8],
-        Size::Full => &[8, 16],
-    };
+    let counts: &[u32] = size.pick(&[8], &[8, 16]);
     let variants = AVERAGED.iter().map(|(variant, _)| *variant).chain([LOCKED]);
     variants
         .flat_map(|variant| Rung::counted(variant, &format!("{variant} L/h"), SIDE, counts))

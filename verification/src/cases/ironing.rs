@@ -256,10 +256,10 @@ fn curve(label: &str, forces: &[[f64; 2]]) -> Curve {
 }
 
 fn rungs(size: Size) -> Vec<Rung> {
-    let (readings, cell, pressed): (&[Reading], f64, &[f64]) = match size {
-        Size::Quick => (&READINGS[..2], 2.0 * CELL, &[CELL]),
-        Size::Full => (&READINGS, CELL, &[2.0 * CELL, CELL, 0.5 * CELL]),
-    };
+    let (readings, cell, pressed): (&[Reading], f64, &[f64]) = size.pick(
+        (&READINGS[..2], 2.0 * CELL, &[CELL]),
+        (&READINGS, CELL, &[2.0 * CELL, CELL, 0.5 * CELL]),
+    );
     let cells = [cell];
     let mut ladders: Vec<_> = readings.iter().map(|r| (r.variant, &cells[..])).collect();
     ladders.push((pressed::VARIANT, pressed));

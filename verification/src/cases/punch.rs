@@ -61,10 +61,7 @@ fn exact(reference: Reference) -> HalfSpace {
 
 /// Cells over the radius of the punch, half a cell among them.
 fn rungs(size: Size) -> Vec<Rung> {
-    let counts: &[u32] = match size {
-        Size::Quick => &[4, 8],
-        Size::Full => &[4, 8, 16],
-    };
+    let counts: &[u32] = size.pick(&[4, 8], &[4, 8, 16]);
     let of = |&whole: &u32| {
         let count = f64::from(whole) + 0.5;
         Rung::labelled(format!("a/h={count}"), "punch", PUNCH / count)

@@ -274,10 +274,7 @@ impl History {
 }
 
 fn rungs(size: Size) -> Vec<Rung> {
-    let cells: &[f64] = match size {
-        Size::Quick => &[4e-3],
-        Size::Full => &[4e-3, 2e-3],
-    };
+    let cells: &[f64] = size.pick(&[4e-3], &[4e-3, 2e-3]);
     let of = |variant| rungs_of(variant, cells);
     [APIC, FLIP].into_iter().flat_map(of).collect()
 }
@@ -339,9 +336,6 @@ fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
 }
 
 fn path(size: Size) -> Vec<Rung> {
-    let cells: &[f64] = match size {
-        Size::Quick => &[8e-3, 4e-3],
-        Size::Full => &[8e-3, 4e-3, 2e-3],
-    };
+    let cells: &[f64] = size.pick(&[8e-3, 4e-3], &[8e-3, 4e-3, 2e-3]);
     rungs_of(APIC, cells)
 }

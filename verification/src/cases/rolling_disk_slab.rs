@@ -20,10 +20,7 @@ pub static ROLLING_DISK_SLAB: Case = Case::new(
     "Does a slab in three dimensions roll as the disk in the plane does?",
 )
 .ladder(Ladder::made(|size| {
-    let cell = match size {
-        Size::Quick => 0.2,
-        Size::Full => 0.1,
-    };
+    let cell = size.pick(0.2, 0.1);
     let variants = VARIANTS.iter().flat_map(|names| &names[1..]);
     variants.map(|variant| Rung::new(variant, cell)).collect()
 }))

@@ -57,10 +57,7 @@ pub static ROUND_COLLAPSE: Case = Case::new(
 .no_guest("the scenes of other solvers have no axis of revolution");
 
 fn rungs(size: Size) -> Vec<Rung> {
-    let counts: &[u32] = match size {
-        Size::Quick => &[8],
-        Size::Full => &[16, 32],
-    };
+    let counts: &[u32] = size.pick(&[8], &[16, 32]);
     let of = |variant| Rung::counted(variant, &format!("{variant}, r/h"), RADIUS, counts);
     [WIDE, SLENDER].into_iter().flat_map(of).collect()
 }

@@ -84,10 +84,7 @@ fn law(variant: &str) -> MohrCoulomb {
 }
 
 fn rungs(size: Size) -> Vec<Rung> {
-    let cells: &[f64] = match size {
-        Size::Quick => &[1.0, 0.5],
-        Size::Full => &[1.0, 0.5, 0.25, 0.125],
-    };
+    let cells: &[f64] = size.pick(&[1.0, 0.5], &[1.0, 0.5, 0.25, 0.125]);
     Rung::ladders(&[(LOCAL, cells), (CRACK_BAND, cells)])
 }
 

@@ -217,10 +217,7 @@ fn judge(runs: &Runs<'_>) -> Verdict {
 }
 
 fn rungs(size: Size) -> Vec<Rung> {
-    let finest = |counts: &'static [u32]| match size {
-        Size::Quick => &counts[..2],
-        Size::Full => counts,
-    };
+    let finest = |counts: &'static [u32]| size.pick(&counts[..2], counts);
     let of =
         |variant, counts| Rung::counted(variant, &format!("{variant} L/h"), LENGTH, finest(counts));
     let mut rungs = of(CRACK_BAND, &[11, 21, 41]);

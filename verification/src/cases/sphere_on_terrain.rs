@@ -257,10 +257,7 @@ fn velocities(simulation: &Simulation) -> Vec<(f64, Vector)> {
 }
 
 fn rungs(size: Size) -> Vec<Rung> {
-    let cells: &[f64] = match size {
-        Size::Quick => &[0.1],
-        Size::Full => &[0.1, 0.05],
-    };
+    let cells: &[f64] = size.pick(&[0.1], &[0.1, 0.05]);
     Rung::ladders(&VARIANTS.map(|(variant, ..)| (variant, cells)))
 }
 

@@ -238,10 +238,7 @@ fn compare(run: Run<'_>) -> Result<Measurements, Failure> {
 }
 
 fn rungs(size: Size) -> Vec<Rung> {
-    let steps: &'static [u32] = match size {
-        Size::Quick => &[256],
-        Size::Full => &[256, 1024],
-    };
+    let steps: &'static [u32] = size.pick(&[256], &[256, 1024]);
     Rung::of_problems(
         &VARIANTS,
         |v| v.name,

@@ -93,10 +93,8 @@ pub static THICK_CYLINDER: Case = Case::new(
 
 /// Of a nearly incompressible wall few: what is slow in it takes seventy times as long as what is fast.
 fn rungs(size: Size) -> Vec<Rung> {
-    let (counts, stiff): (&[u32], &[u32]) = match size {
-        Size::Quick => (&[8, 16], &[8, 16]),
-        Size::Full => (&[8, 16, 32, 64], &[8, 16, 32]),
-    };
+    let (counts, stiff): (&[u32], &[u32]) =
+        size.pick((&[8, 16], &[8, 16]), (&[8, 16, 32, 64], &[8, 16, 32]));
     let of = |variant: &'static str, counts: &[u32]| -> Vec<Rung> {
         let label = |count: u32| format!("{variant} t/h={count}");
         let cell = |count: u32| (OUTER - INNER) / f64::from(count);

@@ -196,10 +196,10 @@ fn rungs(size: Size) -> Vec<Rung> {
         (0.125, false, &[STUDIED]),
         (0.25, true, &[STUDIED]),
     ];
-    let (young, soft, groups): (f64, &str, &[Group]) = match size {
-        Size::Quick => (SOFT, " soft", &[(0.25, false, &[0.0, STUDIED])]),
-        Size::Full => (STIFF, "", &WHOLE),
-    };
+    let (young, soft, groups): (f64, &str, &[Group]) = size.pick(
+        (SOFT, " soft", &[(0.25, false, &[0.0, STUDIED])]),
+        (STIFF, "", &WHOLE),
+    );
     let mut all = vec![];
     for &(h, turned, frictions) in groups {
         for (variant, scheme, _) in VARIANTS.into_iter().filter(|v| v.2 == turned) {
@@ -231,10 +231,8 @@ fn rungs(size: Size) -> Vec<Rung> {
 
 /// The path of the study with its problem.
 fn path(size: Size) -> Vec<Rung> {
-    let (young, cells): (f64, &[f64]) = match size {
-        Size::Quick => (SOFT, &[0.5, 0.25]),
-        Size::Full => (STIFF, &[0.5, 0.25, 0.125]),
-    };
+    let (young, cells): (f64, &[f64]) =
+        size.pick((SOFT, &[0.5, 0.25]), (STIFF, &[0.5, 0.25, 0.125]));
     let (variant, scheme, turned) = VARIANTS[0];
     let problem = Problem {
         kind: Kind::Slide,

@@ -51,10 +51,7 @@ pub static XIE_LEO: Case = Case::new(
     "Does soft soil that is squeezed to half of its height lose its water as large strain has it?",
 )
 .ladder(Ladder::made(|size| {
-    let counts: &[u32] = match size {
-        Size::Quick => &[20],
-        Size::Full => &[20, 40],
-    };
+    let counts: &[u32] = size.pick(&[20], &[20, 40]);
     let mut rungs = Rung::counted("layer", "H/h", HEIGHT, counts);
     rungs.extend(Rung::counted(
         STRETCHED,
