@@ -65,7 +65,11 @@ fn how(arguments: &[&str]) -> RunMode {
         ["precision", "boussinesq", ..] => {
             RunMode::Instead(&["precision", "self-weight", "--quick"])
         }
-        ["bench", "fixtures/bench/laws.json" | "fixtures/bench/water.json", ..] => {
+        [
+            "bench",
+            "fixtures/bench/laws.json" | "fixtures/bench/water.json",
+            ..,
+        ] => {
             RunMode::NotRun("all laws take a minute; the configuration of speed is one of its kind")
         }
         ["precision" | "bench", ..] if !arguments.contains(&"--quick") => {
