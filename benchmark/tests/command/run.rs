@@ -35,7 +35,7 @@ fn a_run_writes_frames_history_and_summary() {
     assert!(stdout(&output).contains(hash));
 }
 
-/// A printed scene whose step is above the bound runs as it is where it is asked to, and is refused otherwise.
+/// A scene whose step is above the bound of stability is refused; with `--allow-unstable` it runs.
 #[test]
 fn a_step_above_the_bound_is_taken_on_demand() {
     let scene = fixture("fixtures/scenes/peers/consolidation.json");
