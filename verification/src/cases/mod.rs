@@ -84,7 +84,7 @@ use std::sync::OnceLock;
 
 use crate::case::{Case, CurvePoint};
 use crate::study::Measure;
-pub(crate) use vocabulary::mortar::{barrier, boundary, open_line};
+pub(crate) use vocabulary::mortar::{barrier, boundary, open_line, rubbing};
 pub(crate) use vocabulary::parts::{
     AT_REST, NO_RESULTS, body, confined_modulus, contact, cuboid, elastic, elastic_law,
     equal_steps_of, larger, material, moving, moving_along_x, rectangle, starting, traction,

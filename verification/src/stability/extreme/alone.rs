@@ -15,77 +15,64 @@ pub static ROWS: &[Extreme] = &[
         .must("flies without stress; breathes with its symmetry, its momentum and no more energy than it had"),
 ];
 
-/// Falls of single particles: their place, over their way, and their stress, over Young's modulus.
-struct Falls([Gate; 2]);
+/// The fall of a particle: the scene without it, its place at the start \[m\] and its volume \[m³\].
+type Fall = (Scene, Vector, f64);
 
-impl Falls {
-    fn new() -> Self {
-        Self([
-            gate("place against x_0 + v t + g t²/2, over the way")
-                .at_most(ROUND_OFF, "velocities half a step before positions make the sum of dt (v_0 + g t) over the steps g t²/2 exactly"),
-            gate("stress over Young's modulus")
-                .at_most(ROUND_OFF, "the gradients of the weights of a particle sum to zero, so that its own velocity strains it by round-off"),
-        ])
+/// Falls of particles of three sizes from some shares of a cell beside a node, with each method of some weighting functions.
+fn beside(shares: &[f64], weightings: &[Weighting]) -> Vec<Fall> {
+    let mut falls = vec![];
+    for scene in each_scheme(&open([10, 8]), weightings) {
+        for transfer in TRANSFERS {
+            for share in shares {
+                for volume in [1e-6, 0.25, 1.0] {
+                    let scene = scene.clone().with_transfer(Transfer::new(transfer));
+                    falls.push((scene, [3.0 + share, 4.0 + 0.5 * share, 0.0], volume));
+                }
+            }
+        }
     }
+    falls
+}
 
-    /// A fall of a particle in a scene without bodies.
-    fn of(&mut self, mut scene: Scene, at: Vector, volume: f64) -> Result<(), RowFault> {
-        const YOUNG: f64 = 1e-4;
-        const VELOCITY: Vector = [0.3, 0.2, 0.1];
-        const GRAVITY: Vector = [0.01, -0.05, 0.02];
-        const END: f64 = 8.0;
-        let [place, strained] = &mut self.0;
+/// Falls of single particles, of which the worst is judged.
+fn judged(falls: Vec<Fall>) -> RowVerdict {
+    const YOUNG: f64 = 1e-4;
+    const VELOCITY: Vector = [0.3, 0.2, 0.1];
+    const GRAVITY: Vector = [0.01, -0.05, 0.02];
+    const END: f64 = 8.0;
+    let mut place = gate("place against x_0 + v t + g t²/2, over the way")
+        .at_most(ROUND_OFF, "velocities half a step before positions make the sum of dt (v_0 + g t) over the steps g t²/2 exactly");
+    let mut strained = gate("stress over Young's modulus")
+        .at_most(ROUND_OFF, "the gradients of the weights of a particle sum to zero, so that its own velocity strains it by round-off");
+    for (mut scene, at, volume) in falls {
         let axes = scene.dimension.axes();
         let cut =
             |v: Vector| -> Vector { std::array::from_fn(|k| if k < axes { v[k] } else { 0.0 }) };
-        scene.gravity = cut(GRAVITY);
-        let mut body = scene.body(listed([(cut(at), volume)]), elastic(YOUNG, 0.3), 1.0);
-        (body.velocity, body.particles_per_cell) = (cut(VELOCITY), [1; 3]);
+        let [at, velocity, gravity] = [at, VELOCITY, GRAVITY].map(cut);
+        scene.gravity = gravity;
+        let mut body = scene.body(listed([(at, volume)]), elastic(YOUNG, 0.3), 1.0);
+        (body.velocity, body.particles_per_cell) = (velocity, [1; 3]);
         let mut simulation = start(&scene, &options())?;
         let way = apart(&VELOCITY.map(|v| v * END), &[0.0; 3]);
         run_to(&mut simulation, END, |s, _| {
             let t = s.time();
-            let exact: Vector = std::array::from_fn(|k| {
-                cut(at)[k] + t * (cut(VELOCITY)[k] + 0.5 * t * cut(GRAVITY)[k])
-            });
+            let exact = std::array::from_fn(|k| at[k] + t * (velocity[k] + 0.5 * t * gravity[k]));
             place.see(apart(&s.position(0, 0), &exact) / way);
             strained.see(largest_stress(s) / YOUNG);
-        })
+        })?;
     }
-
-    /// Particles of three sizes at some shares of a cell, with each method of some weighting functions.
-    fn at(&mut self, shares: &[f64], weightings: &[Weighting]) -> Result<(), RowFault> {
-        for (weighting, share) in weightings
-            .iter()
-            .flat_map(|w| shares.iter().map(move |s| (w, s)))
-        {
-            for scene in each_scheme(&open([10, 8]), [*weighting]) {
-                for transfer in TRANSFERS {
-                    for volume in [1e-6, 0.25, 1.0] {
-                        let scene = scene.clone().with_transfer(Transfer::new(transfer));
-                        self.of(scene, [3.0 + share, 4.0 + 0.5 * share, 0.0], volume)?;
-                    }
-                }
-            }
-        }
-        Ok(())
-    }
+    Ok(Finding::of([place, strained]))
 }
 
 fn one_particle() -> RowVerdict {
-    let mut falls = Falls::new();
-    falls.at(&[0.0], &WEIGHTINGS[1..])?;
-    falls.at(&[1e-9, 0.25, 0.5, 1.0 - 1e-9], &WEIGHTINGS)?;
-    for share in [0.0, 0.3] {
-        falls.of(open_space([9, 8, 8]), [3.0 + share; 3], 0.1)?;
-    }
-    Ok(Finding::of(falls.0))
+    let mut all = beside(&[0.0], &WEIGHTINGS[1..]);
+    all.extend(beside(&[1e-9, 0.25, 0.5, 1.0 - 1e-9], &WEIGHTINGS));
+    all.extend([0.0, 0.3].map(|share| (open_space([9, 8, 8]), [3.0 + share; 3], 0.1)));
+    judged(all)
 }
 
 fn one_particle_on_node() -> RowVerdict {
-    let mut falls = Falls::new();
-    falls.at(&[0.0], &WEIGHTINGS[..1])?;
-    Ok(Finding::of(falls.0))
+    judged(beside(&[0.0], &WEIGHTINGS[..1]))
 }
 
 fn thin_shell() -> RowVerdict {
@@ -109,7 +96,7 @@ fn thin_shell() -> RowVerdict {
     ring.bodies[0].particles_per_cell = [1; 3];
     let flies = flying(|_| [0.1, 0.07, 0.0]);
     let breathes = flying(|x| [1e-3 * (x[0] - CENTER[0]), 1e-3 * (x[1] - CENTER[1]), 0.0]);
-    for scene in each_scheme(&ring, SAFE) {
+    for scene in each_scheme(&ring, &SAFE) {
         run_to(&mut start(&scene, &flies)?, 20.0, |s, _| {
             strained.see(largest_stress(s));
         })?;

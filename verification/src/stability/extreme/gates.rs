@@ -51,12 +51,41 @@ impl Gate {
     }
 }
 
-/// Momentum and energy of runs on which nothing acts from outside, and what must hold of the worst of them.
-pub struct Conservation {
+/// Momentum and energy of a run as it begins, against which those of later steps are held.
+#[derive(Default)]
+pub struct Balance {
     momentum: Vector,
     scale: f64,
-    energy: f64,
+    /// Energy \[J\].
+    pub energy: f64,
+}
+
+impl Balance {
+    /// The balance of a run from now on.
+    pub fn of(simulation: &Simulation) -> Self {
+        Self {
+            momentum: simulation.momentum(),
+            scale: momentum_scale(simulation),
+            energy: energy(simulation),
+        }
+    }
+
     /// Change of momentum, over that of all particles in all directions.
+    pub fn lost(&self, simulation: &Simulation) -> f64 {
+        apart(&simulation.momentum(), &self.momentum) / self.scale
+    }
+
+    /// Energy over that at the start.
+    pub fn grown(&self, simulation: &Simulation) -> f64 {
+        energy(simulation) / self.energy
+    }
+}
+
+/// Gates of runs on which nothing acts from outside: the worst of them keeps momentum, and its energy does not grow.
+pub struct Conservation {
+    /// Balance of the run that was set in motion last.
+    pub balance: Balance,
+    /// Change of momentum.
     pub drift: Gate,
     /// Energy over that at the start.
     pub grown: Gate,
@@ -65,37 +94,46 @@ pub struct Conservation {
 impl Conservation {
     /// Conservation of that name, of no step yet.
     pub fn named(what: &str) -> Self {
+        let drift = format!("{what}: change of momentum, over the momentum in all directions");
+        let grown = format!("{what}: highest energy over that at the start");
         Self {
-            momentum: [0.0; 3],
-            scale: 0.0,
-            energy: 0.0,
-            drift: gate(format!(
-                "{what}: change of momentum, over the momentum in all directions"
-            ))
-            .at_most(ROUND_OFF, ONLY_ROUND_OFF),
-            grown: gate(format!("{what}: highest energy over that at the start"))
-                .at_most(GROWN, NO_GROWTH),
+            balance: Balance::default(),
+            drift: gate(drift).at_most(ROUND_OFF, ONLY_ROUND_OFF),
+            grown: gate(grown).at_most(GROWN, NO_GROWTH),
         }
     }
 
     /// Sets the next run in motion, and takes what it begins with.
-    pub fn start(&mut self, scene: &Scene, options: &Options) -> Result<Simulation, RowFault> {
+    pub fn start(&mut self, scene: &Scene, options: &Options) -> Result<Simulation> {
         let simulation = start(scene, options)?;
-        self.momentum = simulation.momentum();
-        self.scale = momentum_scale(&simulation);
-        self.energy = energy(&simulation);
+        self.balance = Balance::of(&simulation);
         Ok(simulation)
     }
 
     /// Looks at a run again.
     pub fn look(&mut self, simulation: &Simulation) {
-        let drift = apart(&simulation.momentum(), &self.momentum) / self.scale;
-        self.drift.see(drift);
-        self.grown.see(energy(simulation) / self.energy);
+        self.drift.see(self.balance.lost(simulation));
+        self.grown.see(self.balance.grown(simulation));
     }
 
     /// The condition that must hold.
     pub fn gates(self) -> [Gate; 2] {
         [self.drift, self.grown]
     }
+}
+
+/// The same of a scene with each scheme and each weighting function that has a stable step: so many steps, of which those
+/// count whose number `every` divides.
+pub fn conserved(
+    what: &str,
+    scene: &Scene,
+    options: &Options,
+    steps: [u64; 2],
+) -> Result<[Gate; 2]> {
+    let mut kept = Conservation::named(what);
+    for scene in each_scheme(scene, &SAFE) {
+        let mut simulation = kept.start(&scene, options)?;
+        each_of(&mut simulation, steps, |s| kept.look(s))?;
+    }
+    Ok(kept.gates())
 }

@@ -80,6 +80,8 @@ const NUMBERS: &[Entry] = entries! {
     "contact_manager.real_distance_correction_coefficient": |s, x| s.contact_distance = Some(x);
 };
 
+/// Friction of a contact.
+const FRICTION: Entry = Entry("contact[0].friction", |s, x| s.contacts[0].friction = x);
 /// An edge of a cell.
 const EDGE: Entry = Entry("mesh.cells_dimension[0]", |s, x| s.mesh.cell[0] = x);
 
@@ -111,45 +113,39 @@ fn second(position: Vector, volume: f64) -> Shape {
 }
 
 /// The message of a scene that its check refuses with this path.
-///
-/// # Errors
-/// A scene that is taken, or refused for something else.
-pub fn refused_for(path: &str, scene: &Scene) -> Result<String, RowFault> {
+pub fn refused_for(path: &str, scene: &Scene) -> Result<String> {
     let what = format!("a fault in {path}");
-    match scene.simulate(&options()) {
-        Err(StartError::Scene(error)) => match error.problems.iter().find(|p| p.path == path) {
-            Some(problem) => Ok(problem.to_string()),
-            None => Err(unexpected(what, format!("is called {error}"))),
-        },
-        Err(StartError::Setup(error)) => Err(unexpected(
-            what,
-            format!("was only found when the run was set up: {error}"),
-        )),
-        Ok(_) => Err(unexpected(what, "was not refused")),
-    }
+    refused(what, scene, &options(), |error| match error {
+        StartError::Scene(error) => {
+            let problem = error.problems.iter().find(|problem| problem.path == path);
+            problem.map(ToString::to_string)
+        }
+        StartError::Setup(_) => None,
+    })
 }
 
-/// The message of the sound scene with a number put into it.
-fn refused_with(path: &str, put: impl Fn(&mut Scene)) -> Result<String, RowFault> {
-    let mut scene = full();
-    put(&mut scene);
-    refused_for(path, &scene)
+impl Entry {
+    /// Messages of the sound scene with each of some numbers put into it.
+    fn refused(&self, values: &[f64]) -> Result<Vec<String>> {
+        let Self(path, put) = self;
+        let refuse = |value: &f64| {
+            let mut scene = full();
+            put(&mut scene, *value);
+            refused_for(path, &scene)
+        };
+        values.iter().map(refuse).collect()
+    }
 }
 
 fn not_finite_input() -> RowVerdict {
     // What is refused must be the number, and nothing else of the scene.
     start(&full(), &options())?;
     let mut refusals = vec![];
-    for Entry(path, put) in NUMBERS {
-        for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-            refusals.push(refused_with(path, |scene| put(scene, value))?);
-        }
+    for entry in NUMBERS {
+        refusals.extend(entry.refused(&[f64::NAN, f64::INFINITY, f64::NEG_INFINITY])?);
     }
     // Infinite friction is contact that never slips.
-    for value in [f64::NAN, f64::NEG_INFINITY] {
-        let put = |scene: &mut Scene| scene.contacts[0].friction = value;
-        refusals.push(refused_with("contact[0].friction", put)?);
-    }
+    refusals.extend(FRICTION.refused(&[f64::NAN, f64::NEG_INFINITY])?);
     Ok(Finding::default().refusing(refusals))
 }
 
@@ -157,10 +153,8 @@ fn impossible_constants() -> RowVerdict {
     let mut refusals = vec![];
     for (path, values) in IMPOSSIBLE {
         let entries = NUMBERS.iter().chain([&EDGE]);
-        for Entry(_, put) in entries.filter(|entry| entry.0 == *path) {
-            for &value in *values {
-                refusals.push(refused_with(path, |scene| put(scene, value))?);
-            }
+        for entry in entries.filter(|entry| entry.0 == *path) {
+            refusals.extend(entry.refused(values)?);
         }
     }
     Ok(Finding::default().refusing(refusals))
@@ -173,9 +167,6 @@ const FAULTS: [fn(&mut InitialState, f64); 3] = [
     |state, x| state.deformation[0][0] = x,
 ];
 
-/// A place of a particle of the block below \[m\].
-const FAULTY: [f64; 2] = [3.75, 3.25];
-
 fn not_finite_state() -> RowVerdict {
     let mut late = gate("values that are not finite and did not stop the run in their step")
         .none("a value that is not finite reaches all neighbours in one step, so that the step must be the last");
@@ -186,12 +177,13 @@ fn not_finite_state() -> RowVerdict {
             for value in [f64::NAN, f64::INFINITY] {
                 let sick = from(move |x| {
                     let mut state = AT_REST;
-                    if x[..2] == FAULTY {
+                    // The place of one particle.
+                    if x[..2] == [3.75, 3.25] {
                         put(&mut state, value);
                     }
                     state
                 });
-                let Some(error) = first_error(&mut start(&scene, &sick)?, 1) else {
+                let Err(error) = start(&scene, &sick)?.step(NEVER) else {
                     late.count(true);
                     continue;
                 };
@@ -211,7 +203,7 @@ fn not_finite_state() -> RowVerdict {
 
 /// The message of a force that becomes NaN, which stops the run in that step; the state saved before goes on without it to
 /// the same bits.
-fn goes_on_from_before(scene: &Scene, late: &mut Gate) -> Result<String, RowFault> {
+fn goes_on_from_before(scene: &Scene, late: &mut Gate) -> Result<String> {
     let what = method(scene);
     let run = |sick: bool| {
         let mut options = options();
@@ -223,15 +215,7 @@ fn goes_on_from_before(scene: &Scene, late: &mut Gate) -> Result<String, RowFaul
     };
     let mut sick = run(true)?;
     let mut good = sick.save();
-    let error = loop {
-        if sick.steps() > 1000 {
-            return Err(unexpected(what, "a force that is not a number went unseen"));
-        }
-        match sick.step(NEVER) {
-            Ok(_) => good = sick.save(),
-            Err(error) => break error,
-        }
-    };
+    let error = stopped(&mut sick, 1000, |s| good = s.save())?;
     // The force is evaluated at the beginning of a step.
     late.count(good.state.clock.time <= 0.5 || error.time != good.state.clock.time);
     if !matches!(error.kind, StepErrorKind::NotFinite(_)) {

@@ -100,11 +100,11 @@ impl Extreme {
     }
 }
 
-/// Result of a row, or what should not have come.
-type RowVerdict = Result<Finding, RowFault>;
+/// A value of a run, or what should not have come.
+type Result<T, E = RowFault> = std::result::Result<T, E>;
 
-/// A gate of a row, or what should not have come.
-type Judgement = Result<Gate, RowFault>;
+/// Result of a row, or what should not have come.
+type RowVerdict = Result<Finding>;
 
 /// Result of a row.
 #[derive(Clone, Debug, Default, PartialEq)]

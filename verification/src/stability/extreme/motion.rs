@@ -15,13 +15,6 @@ pub static ROWS: &[Extreme] = &[
 
 /// Velocity of the flight \[m/s\], with waves of 1 m/s.
 const FLIGHT: [f64; 3] = [0.9, 0.3, 0.0];
-/// Largest speed of it.
-const SPEED: f64 = 0.9;
-
-/// True if round-off at nodes of next to no mass reaches the particles undiminished, so that a stiff body multiplies it.
-fn light_nodes_act(method: Method) -> bool {
-    method.scheme == StressScheme::Usl || method.transfer != TransferKind::Flip
-}
 
 fn translation() -> RowVerdict {
     let gates = |whose: &str| {
@@ -45,8 +38,9 @@ fn translation() -> RowVerdict {
     let mut calm = gates("where light nodes are calm");
     let mut acting = gates("where light nodes act");
     for method in methods() {
-        let acts = light_nodes_act(method);
-        // Waves a hundred times slower than the body where light nodes act: round-off shows, and is not multiplied.
+        // Round-off at nodes of next to no mass reaches the particles undiminished, and a stiff body would multiply it: there
+        // waves are a hundred times slower than the body, so that round-off shows, and is not multiplied.
+        let acts = method.scheme == StressScheme::Usl || method.transfer != TransferKind::Flip;
         let young = if acts { 1e-4 * YOUNG } else { YOUNG };
         let law = elastic(young, 0.3);
         let mut scene = with(&block([16, 10], [1.23, 1.24], [4.23, 4.24], law), method);
@@ -54,17 +48,10 @@ fn translation() -> RowVerdict {
         // The deformation gradient is kept where it is written.
         scene.results.print = 1;
         scene.results.fields = vec![Field::DeformationGradient];
-        let mut simulation = start(&scene, &options())?;
-        let mut exact = particles(&simulation);
-        to_time(&mut simulation, 10.0)?;
-        let t = simulation.time();
-        for seen in &mut exact {
-            seen.velocity = FLIGHT;
-            seen.position = std::array::from_fn(|axis| seen.position[axis] + FLIGHT[axis] * t);
-        }
+        let (simulation, exact) = fallen(&scene, 10.0)?;
         let after = particles(&simulation);
         let [velocity, place, stress, strained] = if acts { &mut acting } else { &mut calm };
-        velocity.see(all_apart(&after, &exact, |seen| seen.velocity) / SPEED);
+        velocity.see(all_apart(&after, &exact, |seen| seen.velocity) / FLIGHT[0]);
         place.see(all_apart(&after, &exact, |seen| seen.position));
         stress.see(largest_stress(&simulation) / young);
         strained.see(strain(&simulation));
@@ -110,9 +97,8 @@ fn speeds() -> RowVerdict {
             // A thousandth of the speed of the waves, so that strains are small.
             let initial = rough([1.0, 0.1, 0.0], 1e-3 * ratio, 1e-3 * young);
             let mut simulation = start(&scene, &initial)?;
-            let (momentum, scale) = (simulation.momentum(), scale_of_speeds(&simulation));
-            let body = simulation.center(0);
-            let (mass, center) = (body.mass, body.position);
+            let (balance, body) = (Balance::of(&simulation), simulation.center(0));
+            let mean = simulation.momentum().map(|p| p / body.mass);
             let energy = internal_energy(&simulation);
             // Up to ten cells.
             let mut highest = 0.0_f64;
@@ -122,14 +108,13 @@ fn speeds() -> RowVerdict {
                     highest = highest.max(internal_energy(&simulation));
                 }
             }
-            let t = simulation.time();
-            let after = simulation.center(0).position;
-            lost.see(apart(&simulation.momentum(), &momentum) / scale);
+            lost.see(balance.lost(&simulation));
+            let (t, now) = (simulation.time(), simulation.center(0).position);
             for axis in 0..2 {
-                drift.see((after[axis] - center[axis] - momentum[axis] / mass * t).abs());
+                drift.see((now[axis] - body.position[axis] - mean[axis] * t).abs());
             }
             // What round-off of velocities of 1 m/s is worth.
-            let least = mass * f64::EPSILON * f64::EPSILON * simulation.steps() as f64;
+            let least = body.mass * f64::EPSILON * f64::EPSILON * simulation.steps() as f64;
             grown.see(highest / (energy + least));
             trusted(&simulation)?;
         }

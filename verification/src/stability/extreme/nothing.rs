@@ -24,8 +24,8 @@ fn no_particles() -> RowVerdict {
     empty.bodies[2].shape = listed([]);
     // A disc that holds no centre of a sub-cell.
     let small = alone([8, 8], Shape::disc([3.0, 3.0], 1e-6), soft());
-    let of_body = |error: &SetupError| match error {
-        SetupError::Body { body, reason } => Some(format!("{body}: {reason}")),
+    let of_body = |error: &StartError| match error {
+        StartError::Setup(SetupError::Body { body, reason }) => Some(format!("{body}: {reason}")),
         _ => None,
     };
     let refusals = vec![
@@ -46,12 +46,9 @@ fn no_particles() -> RowVerdict {
         .found(0.0);
     for method in methods() {
         let mut scene = with(&block([8, 8], [5.0, 3.0], [7.0, 5.0], soft()), method);
-        scene.outside = Outside::Remove;
         scene.bodies[0].velocity = [1.0, 0.0, 0.0];
-        let mut simulation = start(&scene, &options())?;
-        let mass = simulation.mass();
-        to_time(&mut simulation, 4.0)?;
-        off.see(unbooked(&simulation, mass));
+        let (mut simulation, unbooked) = emptied(&scene, 4.0)?;
+        off.see(unbooked);
         if simulation.particles() == 0 {
             to_time(&mut simulation, 5.0)?;
             ran.count(true);
@@ -67,8 +64,8 @@ fn empty_mesh() -> RowVerdict {
     };
     let mut limited = options();
     limited.memory = Some(Memory::of(1 << 30));
-    let too_large = |error: &SetupError| match error {
-        SetupError::Memory { path, error } if path == "mesh.cells_number" => {
+    let too_large = |error: &StartError| match error {
+        StartError::Setup(SetupError::Memory { path, error }) if path == "mesh.cells_number" => {
             Some(format!("{path}: {error}"))
         }
         _ => None,

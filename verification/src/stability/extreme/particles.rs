@@ -66,23 +66,17 @@ pub fn largest_stress(simulation: &Simulation) -> f64 {
     largest(of_body(simulation, 0).flat_map(|seen| seen.stress))
 }
 
-/// Sum over all particles of what is made of mass \[kg\] and velocity \[m/s\].
-fn over_particles(simulation: &Simulation, of: fn(f64, Vector) -> f64) -> f64 {
-    unsorted(simulation)
-        .map(|seen| of(seen.mass, seen.velocity))
-        .sum()
+/// Largest component of the velocity of any particle \[m/s\].
+pub fn fastest(simulation: &Simulation) -> f64 {
+    largest(unsorted(simulation).flat_map(|seen| seen.velocity))
 }
 
 /// Sum of the magnitudes of all components of all momenta \[kg m/s\].
 pub fn momentum_scale(simulation: &Simulation) -> f64 {
-    over_particles(simulation, |m, v| v.iter().map(|c| (m * c).abs()).sum())
-}
-
-/// The same from speeds that are summed before they are multiplied, so that denormal ones keep their digits.
-pub fn scale_of_speeds(simulation: &Simulation) -> f64 {
-    over_particles(simulation, |m, v| {
-        m * v.iter().map(|c| c.abs()).sum::<f64>()
-    })
+    let of = |seen: ParticleState| seen.velocity.map(|c| (seen.mass * c).abs());
+    unsorted(simulation)
+        .map(|seen| of(seen).iter().sum::<f64>())
+        .sum()
 }
 
 /// Distance of the nearest particle from where a quarter turn about a point brings each, over `scale` \[m\].

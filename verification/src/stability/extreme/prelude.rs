@@ -18,7 +18,7 @@ pub(super) use super::gates::*;
 pub(super) use super::particles::*;
 pub(super) use super::starts::*;
 pub(super) use super::vocabulary::*;
-pub(super) use super::{Extreme, Finding, Judgement, RowFault, RowVerdict};
+pub(super) use super::{Extreme, Finding, Result, RowFault, RowVerdict};
 pub(super) use crate::case::Gate;
 pub(super) use crate::cases::{
     AT_REST, confined_modulus as confined, cuboid, elastic_law as elastic, equal_steps_of as fixed,
@@ -28,3 +28,4 @@ pub(super) use crate::generated::{apart, largest};
 pub(super) use crate::settings::Method;
 pub(super) use crate::stability::map::{SCHEMES, TRANSFERS, WEIGHTINGS};
 pub(super) use crate::stability::nonlinear::{METHODS, energy};
+pub(super) use crate::stability::scene::method_of;

@@ -1,7 +1,7 @@
 //! Contact that is much stiffer than the bodies, falls onto corners, and what a fall with contact must keep.
 
 use super::prelude::*;
-use crate::cases::{barrier, boundary, open_line};
+use crate::cases::{barrier, boundary, open_line, rubbing};
 use proctor_contact::geometry::mortar::Point;
 use proctor_contact::geometry::surface::Surface;
 
@@ -35,8 +35,7 @@ pub static ROWS: &[Extreme] = &[
 const STRAINED: &str = "a surface holds the face of a particle, so that its centre comes nearer by the strain \
     of the half of it between them, a fortieth of a cell here; the penalty acts where contact gives no impulse";
 
-/// Stiffness of contact over that of a cell.
-const RATIOS: [f64; 2] = [1e2, 1e4];
+/// Speed of the blocks that meet \[m/s\].
 const SPEED: f64 = 0.05;
 
 /// Two blocks that meet, one a little higher.
@@ -47,9 +46,10 @@ fn mortar(enforcement: Enforcement, ratio: f64, friction: f64) -> Scene {
         scene.body(shape, elastic(1.0, 0.3), 1.0).velocity = [velocity, 0.0, 0.0];
         scene.mortar.boundaries.push(outline(id));
     }
+    let smooth = barrier("contact", [1, 2], 0.2, ratio);
     scene.mortar.contacts = vec![MortarContact {
-        friction,
-        ..mortar_pair([1, 2], 0.2, ratio, enforcement)
+        enforcement,
+        ..rubbing([friction, ratio], smooth)
     }];
     scene
 }
@@ -73,7 +73,6 @@ fn stiff_mortar(scheme: StressScheme, ratio: f64) -> RowVerdict {
             let scene = mortar(enforcement, ratio, friction).with_scheme(scheme);
             let mut simulation = kept.start(&scene, &options())?;
             warnings.see(simulation.plan().warnings.len() as f64);
-            let begin = energy(&simulation);
             let (mut off, mut push) = (0.0, 0.0_f64);
             // The gap closes in 2 s, waves go through a block and back in 7 s. A run that exploded shows no more.
             while simulation.time() < 25.0 && kept.grown.value < 1e3 {
@@ -84,7 +83,7 @@ fn stiff_mortar(scheme: StressScheme, ratio: f64) -> RowVerdict {
                 push = push.max(force(2)[0]);
             }
             unbalanced.see(off / push);
-            left.see(energy(&simulation) / begin);
+            left.see(kept.balance.grown(&simulation));
             let [v, w] = [0, 1].map(|set| simulation.center(set).velocity[0]);
             slowest.see((w - v) / (2.0 * SPEED));
         }
@@ -107,11 +106,10 @@ fn resolved(transfer: TransferKind) -> RowVerdict {
             .with_transfer(Transfer::new(transfer))
             .with_time_step(fixed(1e-3));
         let mut simulation = kept.start(&scene, &options())?;
-        let begin = energy(&simulation);
         to_time(&mut simulation, END)?;
         kept.look(&simulation);
-        left.see(energy(&simulation) / begin);
-        pressed.see(simulation.mortar_energy() / begin);
+        left.see(kept.balance.grown(&simulation));
+        pressed.see(simulation.mortar_energy() / kept.balance.energy);
     }
     Ok(Finding::of([kept.drift, pressed, left]))
 }
@@ -124,61 +122,41 @@ fn stiff_penalty() -> RowVerdict {
         [at(0.5, 0.5), at(6.5, 6.5), at(0.5, 6.5)],
     ];
     let mut finding = Finding::default();
-    for ratio in RATIOS {
+    // Stiffness of contact over that of a cell.
+    for ratio in [1e2, 1e4] {
         let name = format!("{ratio:e} times as stiff");
-        let mut falls = Falls::named(&name, 2);
-        for scheme in SCHEMES {
-            let scene = onto_surface([7, 7, 8], cube, &plane, Some(ratio))?.with_scheme(scheme);
-            falls.watch(&scene, 25.0, |s| s.surface_force(0).map(|f| -f))?;
-        }
+        let scenes = with_schemes(&onto_surface([7, 7, 8], cube, &plane, Some(ratio))?);
+        let (gates, deepest) = falls(&name, 2, &scenes, 25.0, from_surface)?;
         let depth = gate(format!("{name}: deepest penetration over a cell"))
             .at_most(1e-3, "sweeps of contact leave 1e-6 of the velocity of the fall, which the penalty pushes out again")
-            .found(falls.depth);
-        finding = finding.and(falls.gates()).and([depth]);
+            .found(deepest);
+        finding = finding.and(gates).and([depth]);
     }
     Ok(finding)
 }
 
-/// Falls with contact along an axis, and what the worst of several must keep.
-struct Falls {
-    /// The axis of the fall.
+/// Falls with contact along an axis, with each scheme: gates on the worst of them, and the deepest penetration of a particle into
+/// a rigid surface \[m\]; `force` is that of contact on the body in a step \[N\].
+fn falls(
+    name: &str,
     up: usize,
-    pushed: Gate,
-    lost: Gate,
-    pull: Gate,
-    sideways: Gate,
-    grown: Gate,
-    /// Deepest penetration of a particle into a rigid surface \[m\].
-    pub depth: f64,
-}
-
-impl Falls {
-    /// Falls of that name, none yet.
-    fn named(name: &str, up: usize) -> Self {
-        Self {
-            up,
-            pushed: gate(format!("{name}: impulse of contact over the momentum of the fall"))
-                .at_least(1.0, "a stopped body has got at least the momentum that it fell with"),
-            lost: gate(format!("{name}: momentum that neither weight nor contact gave"))
-                .at_most(ROUND_OFF, ONLY_ROUND_OFF),
-            pull: gate(format!("{name}: pull over push"))
-                .at_most(ROUND_OFF, "contact never pulls"),
-            sideways: gate(format!("{name}: impulse sideways over that upwards"))
-                .at_most(1e-5, "the scene is its own mirror image; sweeps of contact end at 1e-6 of the change of the first one"),
-            grown: gate(format!("{name}: energy over what start and weight gave"))
-                .at_most(GROWN, NO_GROWTH),
-            depth: 0.0,
-        }
-    }
-
-    /// Runs a fall; `force` is that of contact on the body in a step \[N\].
-    fn watch(
-        &mut self,
-        scene: &Scene,
-        time: f64,
-        force: impl Fn(&Simulation) -> Vector,
-    ) -> Result<(), RowFault> {
-        let up = self.up;
+    scenes: &[Scene],
+    time: f64,
+    force: impl Fn(&Simulation) -> Vector,
+) -> Result<([Gate; 5], f64)> {
+    let of = |what: &str| gate(format!("{name}: {what}"));
+    let mut pushed = of("impulse of contact over the momentum of the fall").at_least(
+        1.0,
+        "a stopped body has got at least the momentum that it fell with",
+    );
+    let mut lost =
+        of("momentum that neither weight nor contact gave").at_most(ROUND_OFF, ONLY_ROUND_OFF);
+    let mut pulled = of("pull over push").at_most(ROUND_OFF, "contact never pulls");
+    let mut sideways = of("impulse sideways over that upwards")
+        .at_most(1e-5, "the scene is its own mirror image; sweeps of contact end at 1e-6 of the change of the first one");
+    let mut grown = of("energy over what start and weight gave").at_most(GROWN, NO_GROWTH);
+    let mut depth = 0.0;
+    for scene in scenes {
         let mut simulation = start(scene, &options())?;
         let (mass, before) = (simulation.mass(), simulation.momentum());
         let begin = energy(&simulation);
@@ -198,29 +176,23 @@ impl Falls {
             pull = pull.max(-now[up]);
             let exact: Vector =
                 std::array::from_fn(|k| before[k] + impulse[k] + mass * scene.gravity[k] * kicks);
+            lost.see(apart(&s.momentum(), &exact) / momentum_scale(s));
             let surface = scene.surfaces.first();
             let gaps = surface.into_iter().flat_map(|_| 0..s.particles());
             for (gap, _) in gaps.filter_map(|p| s.surface_gap(0, 0, p, 1.0)) {
-                self.depth = worst(self.depth, -gap);
+                depth = worst(depth, -gap);
             }
-            let lost = apart(&s.momentum(), &exact) / momentum_scale(s);
-            self.lost.see(lost);
             let fallen = from - s.center(0).position[up];
             let given = begin - mass * scene.gravity[up] * fallen;
-            self.grown.see(energy(s) / given.max(begin));
+            grown.see(energy(s) / given.max(begin));
         })?;
         for axis in (0..3).filter(|axis| *axis != up) {
-            self.sideways.see((impulse[axis] / impulse[up]).abs());
+            sideways.see((impulse[axis] / impulse[up]).abs());
         }
-        self.pull.see(pull / push);
-        self.pushed.see(impulse[up] / before[up].abs());
-        Ok(())
+        pulled.see(pull / push);
+        pushed.see(impulse[up] / before[up].abs());
     }
-
-    /// The condition that must hold.
-    fn gates(self) -> [Gate; 5] {
-        [self.pushed, self.lost, self.pull, self.sideways, self.grown]
-    }
+    Ok(([pushed, lost, pulled, sideways, grown], depth))
 }
 
 /// An elastic cube that falls at a speed onto a rigid surface without friction; the weight is a thousandth of a cell per
@@ -230,7 +202,7 @@ fn onto_surface(
     [p1, p2]: [Vector; 2],
     corners: &[[Vector; 3]],
     penalty_stiffness: Option<f64>,
-) -> Result<Scene, RowFault> {
+) -> Result<Scene> {
     let mut scene = open_space(cells).with_gravity([0.0, 0.0, -1e-3]);
     scene.body(cuboid(p1, p2), elastic(1.0, 0.3), 1.0).velocity = [0.0, 0.0, -0.05];
     let surface = Surface::new(corners).map_err(|error| RowFault(error.to_string()))?;
@@ -245,27 +217,13 @@ fn onto_surface(
     Ok(scene)
 }
 
-/// Mortar contact without friction of a slave with a master.
-fn mortar_pair(
-    bodies: [i64; 2],
-    critical_gap: f64,
-    stiffness: f64,
-    enforcement: Enforcement,
-) -> MortarContact {
-    MortarContact {
-        tangential_stiffness: stiffness,
-        enforcement,
-        ..barrier("contact", bodies, critical_gap, stiffness)
-    }
-}
-
 /// The boundary of a body, with a vertex every half cell.
 fn outline(body: i64) -> BodyBoundary {
     boundary(body, Vertices::Spacing(0.5))
 }
 
 /// A cube that falls on a ridge of two triangles' width below its middle.
-fn ridge() -> Result<Scene, RowFault> {
+fn ridge() -> Result<Scene> {
     const MIDDLE: f64 = 4.0;
     let cube = [[MIDDLE - 1.0, 3.0, 3.1], [MIDDLE + 1.0, 5.0, 5.1]];
     let (a, b) = ([MIDDLE, 0.5, 2.8], [MIDDLE, 7.5, 2.8]);
@@ -290,21 +248,22 @@ fn own_corner() -> Scene {
     let ground = [Point::new(11.0, 4.0), Point::new(1.0, 4.0)];
     scene.mortar.lines = vec![open_line("ground", 9, ground, None)];
     scene.mortar.boundaries = vec![outline(1)];
-    scene.mortar.contacts = vec![mortar_pair([9, 1], 0.15, 10.0, Enforcement::Barrier)];
+    let smooth = barrier("contact", [9, 1], 0.15, 10.0);
+    scene.mortar.contacts = vec![rubbing([0.0, 10.0], smooth)];
     scene
 }
 
+/// The force of the first rigid surface on a body \[N\].
+fn from_surface(simulation: &Simulation) -> Vector {
+    simulation.surface_force(0).map(|f| -f)
+}
+
 fn corner_fall() -> RowVerdict {
-    let mut cube = Falls::named("cube on a ridge", 2);
-    for scheme in SCHEMES {
-        let pushed = |s: &Simulation| s.surface_force(0).map(|f| -f);
-        cube.watch(&ridge()?.with_scheme(scheme), 30.0, pushed)?;
-    }
-    let mut square = Falls::named("square on its corner", 1);
+    let cubes = with_schemes(&ridge()?);
+    let (cube, _) = falls("cube on a ridge", 2, &cubes, 30.0, from_surface)?;
     // Mortar contact is refused with USF.
-    for scheme in [StressScheme::Usl, StressScheme::Musl] {
-        let pushed = |s: &Simulation| s.mortar_force(1).unwrap_or([f64::NAN; 3]);
-        square.watch(&own_corner().with_scheme(scheme), 40.0, pushed)?;
-    }
-    Ok(Finding::of(cube.gates()).and(square.gates()))
+    let squares = [StressScheme::Usl, StressScheme::Musl].map(|s| own_corner().with_scheme(s));
+    let from_line = |s: &Simulation| s.mortar_force(1).unwrap_or([f64::NAN; 3]);
+    let (square, _) = falls("square on its corner", 1, &squares, 40.0, from_line)?;
+    Ok(Finding::of(cube).and(square))
 }

@@ -77,18 +77,12 @@ fn friction() -> RowVerdict {
     let weight = |y: f64| -ACROSS * (BASE + HEIGHT - y).min(HEIGHT);
     let settled = stressed(move |x| [0.0, weight(x[1]), 0.0, 0.0, 0.0, 0.0]);
     for friction in [0.0, 0.5, 1e9, f64::INFINITY] {
-        for scene in each_scheme(&slope(friction), SAFE) {
+        for scene in each_scheme(&slope(friction), &SAFE) {
             let mut simulation = start(&scene, &settled)?;
             let from = simulation.center(1).position[0];
-            let [mut off, mut push, mut pulled] = [0.0_f64; 3];
-            run_to(&mut simulation, END, |s, _| {
-                let (base, block) = (s.contact_force(0), s.contact_force(1));
-                off = worst(off, apart(&base, &block.map(|f| -f)));
-                push = push.max(block[1]);
-                pulled = pulled.max(-block[1]);
-            })?;
-            unbalanced.see(off / push);
-            pull.see(pulled / push);
+            let [off, pulled, _] = forces(&mut simulation, END, [0.0, 1.0, 0.0], |_| ())?;
+            unbalanced.see(off);
+            pull.see(pulled);
             let center = simulation.center(1);
             let way = center.position[0] - from;
             if friction == 0.0 {
@@ -106,45 +100,46 @@ fn friction() -> RowVerdict {
     Ok(Finding::of([free, sticks, limit, unbalanced, pull]))
 }
 
-/// Collisions of bodies that nothing else holds, and what the worst of several must keep.
-struct Collisions {
-    kept: Conservation,
-    unbalanced: Gate,
-    pull: Gate,
-    push: Gate,
+/// Forces of contact up to a time \[s\]: the largest sum of all and the largest pull, each over the largest push, and that push
+/// \[N\]; `direction` is that in which contact pushes the second body.
+fn forces(
+    simulation: &mut Simulation,
+    time: f64,
+    direction: Vector,
+    mut look: impl FnMut(&Simulation),
+) -> Result<[f64; 3]> {
+    let [mut unbalanced, mut pull, mut push] = [0.0; 3];
+    run_to(simulation, time, |s, _| {
+        look(s);
+        unbalanced = worst(unbalanced, sum_of_forces(s));
+        let force = s.contact_force(1);
+        let along: f64 = (0..3).map(|axis| force[axis] * direction[axis]).sum();
+        push = worst(push, along);
+        pull = worst(pull, -along);
+    })?;
+    Ok([unbalanced / push, pull / push, push])
 }
 
-impl Collisions {
-    fn new() -> Self {
-        Self {
-            kept: Conservation::named("collision"),
-            unbalanced: opposite("sum of the forces on all bodies, over the largest push"),
-            pull: no_pull(),
-            push: touch("largest push [N], the least of all runs"),
-        }
+/// Collisions of bodies that nothing else holds: what the worst of them must keep; `after` looks at the end of each.
+fn collisions(
+    scenes: impl IntoIterator<Item = Scene>,
+    time: f64,
+    direction: Vector,
+    mut after: impl FnMut(&Simulation),
+) -> RowVerdict {
+    let mut kept = Conservation::named("collision");
+    let mut unbalanced = opposite("sum of the forces on all bodies, over the largest push");
+    let mut pull = no_pull();
+    let mut push = touch("largest push [N], the least of all runs");
+    for scene in scenes {
+        let mut simulation = kept.start(&scene, &options())?;
+        let [off, pulled, pushed] = forces(&mut simulation, time, direction, |s| kept.look(s))?;
+        unbalanced.see(off);
+        pull.see(pulled);
+        push.see(pushed);
+        after(&simulation);
     }
-
-    /// Runs one; `direction` is that in which contact pushes the second body.
-    fn run(&mut self, scene: &Scene, time: f64, direction: Vector) -> Result<Simulation, RowFault> {
-        let mut simulation = self.kept.start(scene, &options())?;
-        let [mut unbalanced, mut pull, mut push] = [0.0; 3];
-        run_to(&mut simulation, time, |s, _| {
-            self.kept.look(s);
-            unbalanced = worst(unbalanced, sum_of_forces(s));
-            let force = s.contact_force(1);
-            let along: f64 = (0..3).map(|axis| force[axis] * direction[axis]).sum();
-            push = worst(push, along);
-            pull = worst(pull, -along);
-        })?;
-        self.unbalanced.see(unbalanced / push);
-        self.pull.see(pull / push);
-        self.push.see(push);
-        Ok(simulation)
-    }
-
-    fn finding(self) -> Finding {
-        Finding::of(self.kept.gates()).and([self.unbalanced, self.pull, self.push])
-    }
+    Ok(Finding::of(kept.gates()).and([unbalanced, pull, push]))
 }
 
 /// Largest component of the sum of the contact forces on all bodies \[N\].
@@ -160,47 +155,46 @@ fn sum_of_forces(simulation: &Simulation) -> f64 {
 fn mass_ratio() -> RowVerdict {
     const SPEED: f64 = 0.02;
     const RATIO: f64 = 1e6;
-    let mut collisions = Collisions::new();
     let mut slowest = gate("speed at which they part over that at which they met")
         .at_least(0.75, "a bar leaves a wall with its speed turned round, but for a front that is spread over (h² L)^(1/3), a quarter of it");
-    for scheme in SCHEMES {
-        // Between sliding planes and without lateral strain: waves of one dimension, of which nothing stays.
-        let mut scene = open([24, 2]).with_scheme(scheme).between(1);
-        for (left, right, ratio, speed) in [(3.0, 11.0, 1.0, SPEED), (11.3, 15.3, RATIO, -SPEED)] {
-            let shape = rectangle([left, 0.0], [right, 2.0]);
-            scene.body(shape, elastic(ratio, 0.0), ratio).velocity = [speed, 0.0, 0.0];
-        }
-        // The heavy one is flat and stiff: the master.
-        scene.contacts = pair([2, 1], 0.0);
-        // The gap closes in 8 s, and a wave comes back through the block in 16 s.
-        let simulation = collisions.run(&scene, 60.0, [1.0, 0.0, 0.0])?;
+    // Between sliding planes and without lateral strain: waves of one dimension, of which nothing stays.
+    let mut scene = open([24, 2]).between(1);
+    for (left, right, ratio, speed) in [(3.0, 11.0, 1.0, SPEED), (11.3, 15.3, RATIO, -SPEED)] {
+        let shape = rectangle([left, 0.0], [right, 2.0]);
+        scene.body(shape, elastic(ratio, 0.0), ratio).velocity = [speed, 0.0, 0.0];
+    }
+    // The heavy one is flat and stiff: the master.
+    scene.contacts = pair([2, 1], 0.0);
+    // The gap closes in 8 s, and a wave comes back through the block in 16 s.
+    let scenes = with_schemes(&scene);
+    let collided = collisions(scenes, 60.0, [1.0, 0.0, 0.0], |simulation| {
         let [v, w] = [0, 1].map(|set| simulation.center(set).velocity[0]);
         slowest.see((w - v) / (2.0 * SPEED));
-    }
-    Ok(collisions.finding().and([slowest]))
+    })?;
+    Ok(collided.and([slowest]))
 }
 
 fn one_node() -> RowVerdict {
     const SPEED: f64 = 0.02;
-    let mut collisions = Collisions::new();
     let mut mirrored = gate("mean velocities against those of the mirror image, over the speed")
         .at_most(1e-10, "scene and mesh are their own reflection about the node; round-off, which the swings of the blocks carry along");
     // They meet at (6, 6), a node; the point reflection about it takes each to the other.
-    let diagonal = 0.5_f64.sqrt();
-    for scheme in SCHEMES {
-        for friction in [0.0, 0.3] {
-            let mut scene = open([12, 12]).with_scheme(scheme);
-            for (low, speed) in [(3.0, SPEED), (6.0, -SPEED)] {
-                let shape = rectangle([low; 2], [low + 3.0; 2]);
-                scene.body(shape, elastic(1.0, 0.3), 1.0).velocity = [speed, speed, 0.0];
-            }
-            scene.add_contact([0, 1].map(BodyHandle::from), friction);
-            let simulation = collisions.run(&scene, 40.0, [diagonal, diagonal, 0.0])?;
-            let [a, b] = [0, 1].map(|set| simulation.center(set));
-            mirrored.see(apart(&a.velocity, &b.velocity.map(|v| -v)) / SPEED);
+    let meeting = |friction| {
+        let mut scene = open([12, 12]);
+        for (low, speed) in [(3.0, SPEED), (6.0, -SPEED)] {
+            let shape = rectangle([low; 2], [low + 3.0; 2]);
+            scene.body(shape, elastic(1.0, 0.3), 1.0).velocity = [speed, speed, 0.0];
         }
-    }
-    Ok(collisions.finding().and([mirrored]))
+        scene.add_contact([0, 1].map(BodyHandle::from), friction);
+        with_schemes(&scene)
+    };
+    let scenes = [0.0, 0.3].map(meeting).concat();
+    let diagonal = 0.5_f64.sqrt();
+    let collided = collisions(scenes, 40.0, [diagonal, diagonal, 0.0], |simulation| {
+        let [a, b] = [0, 1].map(|set| simulation.center(set));
+        mirrored.see(apart(&a.velocity, &b.velocity.map(|v| -v)) / SPEED);
+    })?;
+    Ok(collided.and([mirrored]))
 }
 
 /// Number of wedges, and the middle of the mesh.
@@ -279,10 +273,9 @@ fn ten_bodies_mirrored() -> RowVerdict {
             "the mean of both normals is the same, whichever body is called the master",
         );
     for scheme in SCHEMES {
-        let places = |names: bool| -> Result<Vec<Vector>, RowFault> {
+        let places = |names: bool| -> Result<[Vector; COUNT]> {
             let simulation = at_time(&wedges(scheme, GATHER, names), &options(), WATCHED)?;
-            let all = 0..COUNT;
-            Ok(all.map(|set| simulation.center(set).position).collect())
+            Ok(std::array::from_fn(|set| simulation.center(set).position))
         };
         let (given, other) = (places(false)?, places(true)?);
         for (set, x) in given.iter().enumerate() {

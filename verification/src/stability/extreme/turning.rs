@@ -19,7 +19,8 @@ const CENTER: f64 = 4.0;
 const POISSON: f64 = 0.3;
 /// Speed of the rim over sqrt(E/rho).
 const RIM: f64 = 0.02;
-const TURNS: f64 = 10.0;
+/// Time of ten turns \[s\].
+const TIME: f64 = 10.0 * TAU * RADIUS / RIM;
 
 /// A disc that spins about the middle of the mesh.
 fn disc(transfer: TransferKind) -> Scene {
@@ -35,10 +36,6 @@ fn spins() -> Options {
         let [a, b] = [x[0] - CENTER, x[1] - CENTER];
         moving([-omega * b, omega * a, 0.0], spin)
     })
-}
-
-fn area(simulation: &Simulation) -> f64 {
-    sum(simulation, |seen| seen.volume)
 }
 
 /// Angular momentum about the middle, that of affine velocities with it, whose moment of inertia with quadratic B-splines
@@ -57,7 +54,6 @@ fn angular_momentum(simulation: &Simulation) -> f64 {
 }
 
 fn ten_turns() -> RowVerdict {
-    let time = TURNS * TAU * RADIUS / RIM;
     // In plane strain the mean of sigma_rr + sigma_tt is rho (omega R)²/2.
     let centrifugal = (1.0 + POISSON) * (1.0 - 2.0 * POISSON) * RIM * RIM / 2.0;
     let mut spin = gate("free disc: angular momentum with B-splines and APIC, change over it")
@@ -68,15 +64,14 @@ fn ten_turns() -> RowVerdict {
     let mut skew = gate("free disc: a quarter turn of it against itself, over a cell")
         .at_most(1e-8, "disc and mesh are the same after a quarter turn; round-off of 2e4 steps, which the turns carry along");
     let mut kept = Conservation::named("free disc");
+    let area = |simulation: &Simulation| sum(simulation, |seen| seen.volume);
     let left = Weighting::ContiguousGimp(DomainUpdate::LeftStretch);
-    for scene in each_scheme(
-        &disc(TransferKind::Apic),
-        [Weighting::QuadraticBSpline, left],
-    ) {
+    let weightings = [Weighting::QuadraticBSpline, left];
+    for scene in each_scheme(&disc(TransferKind::Apic), &weightings) {
         let mut simulation = kept.start(&scene, &spins())?;
         let (before, whole) = (angular_momentum(&simulation), area(&simulation));
         let counted = scene.weighting != left && scene.scheme != StressScheme::Usf;
-        run_to(&mut simulation, time, |s, info| {
+        run_to(&mut simulation, TIME, |s, info| {
             if info.step.is_multiple_of(20) {
                 kept.look(s);
                 wide.see((area(s) / whole - 1.0) / centrifugal);
@@ -92,16 +87,15 @@ fn ten_turns() -> RowVerdict {
 }
 
 fn ten_turns_flip() -> RowVerdict {
-    let time = TURNS * TAU * RADIUS / RIM;
     let mut unsaid = gate("angular momentum lost in ten turns of which nothing was said").at_most(
         0.1,
         "nothing turns a free disc; a tenth is what a user may call the same",
     );
-    for scene in each_scheme(&disc(TransferKind::Flip), [Weighting::UniformGimp]) {
+    for scene in with_schemes(&disc(TransferKind::Flip)) {
         let mut simulation = start(&scene, &spins())?;
         let before = angular_momentum(&simulation);
         for turn in 1..=10 {
-            to_time(&mut simulation, 0.1 * f64::from(turn) * time)?;
+            to_time(&mut simulation, 0.1 * f64::from(turn) * TIME)?;
         }
         let energy = simulation.energy();
         let cautions = simulation.cautions(&energy);

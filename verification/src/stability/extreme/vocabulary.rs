@@ -8,9 +8,7 @@
 use super::prelude::*;
 use crate::case::{Case, Size};
 use crate::cases::{NO_RESULTS, contact};
-use crate::settings::Settings;
 use crate::stability::map::LEAST_SQUARES;
-use crate::stability::scene::method_of;
 use proctor_scene::BodyEntry;
 use proctor_scene::simulation::{ParticleAt, StepInfo, TimeStepAboveCritical};
 use std::fmt;
@@ -61,8 +59,7 @@ pub fn quiet(mut scene: Scene) -> Scene {
 /// A body in an open mesh of the plane, two particles per cell and axis.
 pub fn alone(cells: [usize; 2], shape: Shape, law: impl Into<AnyLaw>) -> Scene {
     let mut scene = open(cells);
-    let material = scene.add_material(law, 1.0);
-    scene.add_body(shape, material);
+    scene.body(shape, law.into(), 1.0);
     scene
 }
 
@@ -106,38 +103,31 @@ pub fn listed(places: impl IntoIterator<Item = (Vector, f64)>) -> Shape {
 
 /// A scene with another method; particles stay as they are.
 pub fn with(scene: &Scene, method: Method) -> Scene {
-    let mut scene = scene.clone();
-    let own: Vec<[usize; 3]> = scene.bodies.iter().map(|b| b.particles_per_cell).collect();
-    Settings::new(method).apply(&mut scene);
-    for (body, own) in scene.bodies.iter_mut().zip(own) {
-        body.particles_per_cell = own;
-    }
-    scene
+    let scene = scene.clone().with_weighting(method.weighting);
+    let transfer = Transfer::new(method.transfer);
+    scene.with_scheme(method.scheme).with_transfer(transfer)
 }
 
 /// All combinations of weighting function, scheme and transfer.
 pub fn methods() -> Vec<Method> {
-    let of = |(weighting, scheme, transfer)| Method {
-        weighting,
-        scheme,
-        transfer,
-    };
-    let transfers = |w, s| TRANSFERS.map(|transfer| (w, s, transfer));
-    let schemes = |w| SCHEMES.into_iter().flat_map(move |s| transfers(w, s));
+    let schemes = |method: Method| SCHEMES.map(|scheme| method.with_scheme(scheme));
+    let transfers = |method: Method| TRANSFERS.map(|transfer| method.with_transfer(transfer));
+    let of = |weighting| Method::DEFAULT.with_weighting(weighting);
+    let all = WEIGHTINGS.into_iter().map(of).flat_map(schemes);
     let (weighting, transfer) = LEAST_SQUARES;
-    let last = SCHEMES.map(|scheme| (weighting, scheme, transfer));
-    let all = WEIGHTINGS.into_iter().flat_map(schemes).chain(last);
-    all.map(of).collect()
+    let last = schemes(of(weighting).with_transfer(transfer));
+    all.flat_map(transfers).chain(last).collect()
+}
+
+/// A scene with each scheme.
+pub fn with_schemes(scene: &Scene) -> [Scene; 3] {
+    SCHEMES.map(|scheme| scene.clone().with_scheme(scheme))
 }
 
 /// A scene with each combination of some weighting functions with a scheme.
-pub fn each_scheme(
-    scene: &Scene,
-    weightings: impl IntoIterator<Item = Weighting>,
-) -> impl Iterator<Item = Scene> {
-    weightings.into_iter().flat_map(move |weighting| {
-        SCHEMES.map(|scheme| scene.clone().with_weighting(weighting).with_scheme(scheme))
-    })
+pub fn each_scheme(scene: &Scene, weightings: &[Weighting]) -> Vec<Scene> {
+    let of = |weighting: &Weighting| with_schemes(&scene.clone().with_weighting(*weighting));
+    weightings.iter().flat_map(of).collect()
 }
 
 /// GIMP whose domains follow the stretch.
@@ -160,8 +150,7 @@ pub fn multiple(multiplier: f64) -> TimeStep {
 }
 
 /// The same steps, stable or not.
-pub fn unstable(time_step: TimeStep) -> TimeStep {
-    let mut time_step = time_step;
+pub fn unstable(mut time_step: TimeStep) -> TimeStep {
     if let TimeStep::Fixed { allow_unstable, .. } | TimeStep::Multiplier { allow_unstable, .. } =
         &mut time_step
     {
@@ -191,19 +180,19 @@ pub fn method(scene: &Scene) -> String {
 }
 
 /// Checks a scene and sets it in motion.
-pub fn start(scene: &Scene, options: &Options) -> Result<Simulation, RowFault> {
+pub fn start(scene: &Scene, options: &Options) -> Result<Simulation> {
     let refused = |error| unexpected(method(scene) + ": refused", error);
     scene.simulate(options).map_err(refused)
 }
 
 /// A step that must not fail.
-pub fn step(simulation: &mut Simulation, stop: f64) -> Result<StepInfo, RowFault> {
+pub fn step(simulation: &mut Simulation, stop: f64) -> Result<StepInfo> {
     let stepped = simulation.step(stop);
     stepped.map_err(|error| unexpected(method(simulation.scene()), error))
 }
 
 /// Runs so many steps.
-pub fn steps(simulation: &mut Simulation, count: u64) -> Result<(), RowFault> {
+pub fn steps(simulation: &mut Simulation, count: u64) -> Result<()> {
     for _ in 0..count {
         step(simulation, NEVER)?;
     }
@@ -211,17 +200,30 @@ pub fn steps(simulation: &mut Simulation, count: u64) -> Result<(), RowFault> {
 }
 
 /// A scene after so many steps.
-pub fn after(scene: &Scene, options: &Options, count: u64) -> Result<Simulation, RowFault> {
+pub fn after(scene: &Scene, options: &Options, count: u64) -> Result<Simulation> {
     let mut simulation = start(scene, options)?;
     steps(&mut simulation, count)?;
     Ok(simulation)
 }
 
 /// A scene at a time \[s\].
-pub fn at_time(scene: &Scene, options: &Options, time: f64) -> Result<Simulation, RowFault> {
+pub fn at_time(scene: &Scene, options: &Options, time: f64) -> Result<Simulation> {
     let mut simulation = start(scene, options)?;
     to_time(&mut simulation, time)?;
     Ok(simulation)
+}
+
+/// A scene at a time \[s\], and its particles where x + v t + g t²/2 has brought those of the start.
+pub fn fallen(scene: &Scene, time: f64) -> Result<(Simulation, Vec<ParticleState>)> {
+    let mut simulation = start(scene, &options())?;
+    let mut exact = particles(&simulation);
+    to_time(&mut simulation, time)?;
+    let (t, g) = (simulation.time(), scene.gravity);
+    for seen in &mut exact {
+        let (x, v) = (seen.position, seen.velocity);
+        seen.position = std::array::from_fn(|k| x[k] + v[k] * t + 0.5 * g[k] * t * t);
+    }
+    Ok((simulation, exact))
 }
 
 /// Runs so many steps and looks at those whose number `every` divides.
@@ -229,7 +231,7 @@ pub fn each_of(
     simulation: &mut Simulation,
     [count, every]: [u64; 2],
     mut look: impl FnMut(&Simulation),
-) -> Result<(), RowFault> {
+) -> Result<()> {
     for _ in 0..count {
         let info = step(simulation, f64::INFINITY)?;
         if info.step.is_multiple_of(every) {
@@ -240,7 +242,7 @@ pub fn each_of(
 }
 
 /// Runs to a time \[s\].
-pub fn to_time(simulation: &mut Simulation, time: f64) -> Result<(), RowFault> {
+pub fn to_time(simulation: &mut Simulation, time: f64) -> Result<()> {
     run_to(simulation, time, |_, _| ())
 }
 
@@ -249,7 +251,7 @@ pub fn run_to(
     simulation: &mut Simulation,
     time: f64,
     mut look: impl FnMut(&Simulation, &StepInfo),
-) -> Result<(), RowFault> {
+) -> Result<()> {
     while simulation.time() < time {
         let info = step(simulation, time)?;
         look(simulation, &info);
@@ -261,42 +263,40 @@ pub fn run_to(
 ///
 /// # Errors
 /// The balance that is off.
-pub fn trusted(simulation: &Simulation) -> Result<(), RowFault> {
+pub fn trusted(simulation: &Simulation) -> Result<()> {
     let what = || method(simulation.scene()) + ": a sound run is doubted";
     let doubt = simulation.invariants().violation;
     doubt.map_or(Ok(()), |violation| Err(unexpected(what(), violation)))
 }
 
-/// The error that ends a run within so many steps.
-pub fn first_error(simulation: &mut Simulation, most: u64) -> Option<StepError> {
-    (0..most).find_map(|_| simulation.step(NEVER).err())
-}
-
-/// The same of a run that must end.
+/// The error of a run that must end within so many steps; `look` sees all steps before it.
 ///
 /// # Errors
-/// A run that goes on, which says `otherwise`.
+/// A run that goes on.
 pub fn stopped(
-    what: impl fmt::Display,
     simulation: &mut Simulation,
     most: u64,
-    otherwise: &str,
-) -> Result<StepError, RowFault> {
-    first_error(simulation, most).ok_or_else(|| unexpected(what, otherwise))
+    mut look: impl FnMut(&Simulation),
+) -> Result<StepError> {
+    for _ in 0..most {
+        match simulation.step(NEVER) {
+            Err(error) => return Ok(error),
+            Ok(_) => look(simulation),
+        }
+    }
+    let otherwise = format!("goes on after {most} steps");
+    Err(unexpected(method(simulation.scene()), otherwise))
 }
 
-/// The message of a scene that is refused when its run is set up, as `known` tells it of the error.
+/// The message of a scene that is refused, as `known` tells it of the error.
 pub fn refused(
     what: impl fmt::Display,
     scene: &Scene,
     options: &Options,
-    known: impl Fn(&SetupError) -> Option<String>,
-) -> Result<String, RowFault> {
+    known: impl Fn(&StartError) -> Option<String>,
+) -> Result<String> {
     match scene.simulate(options) {
-        Err(StartError::Setup(error)) => {
-            known(&error).ok_or_else(|| unexpected(what, format!("is called {error}")))
-        }
-        Err(error) => Err(unexpected(what, format!("is called {error}"))),
+        Err(error) => known(&error).ok_or_else(|| unexpected(what, format!("is called {error}"))),
         Ok(_) => Err(unexpected(what, "was taken")),
     }
 }
@@ -307,9 +307,9 @@ pub fn refused_step(
     scene: &Scene,
     options: &Options,
     right: impl Fn(&TimeStepAboveCritical) -> bool,
-) -> Result<String, RowFault> {
+) -> Result<String> {
     refused(what, scene, options, |error| match error {
-        SetupError::UnstableTimeStep(step) => right(step).then(|| step.to_string()),
+        StartError::Setup(SetupError::UnstableTimeStep(at)) => right(at).then(|| at.to_string()),
         _ => None,
     })
 }
@@ -323,23 +323,29 @@ pub fn removed(simulation: &Simulation) -> impl Iterator<Item = &ParticleAt> {
     })
 }
 
-/// Mass that is neither left nor booked as removed, over that at the start \[kg\].
-pub fn unbooked(simulation: &Simulation, mass: f64) -> f64 {
-    let booked: f64 = removed(simulation).map(|at| at.mass).sum();
-    (booked + simulation.mass() - mass).abs() / mass
+/// A scene at a time \[s\], out of which particles are taken as they leave, and the share of its mass that is neither left nor
+/// booked as removed.
+pub fn emptied(scene: &Scene, time: f64) -> Result<(Simulation, f64)> {
+    let mut scene = scene.clone();
+    scene.outside = Outside::Remove;
+    let mut simulation = start(&scene, &options())?;
+    let mass = simulation.mass();
+    to_time(&mut simulation, time)?;
+    let booked: f64 = removed(&simulation).map(|at| at.mass).sum();
+    let unbooked = (booked + simulation.mass() - mass).abs() / mass;
+    Ok((simulation, unbooked))
 }
 
 /// The gates of a verification case with its short ladder.
-pub fn of_case(case: &Case) -> Result<Vec<Gate>, RowFault> {
+pub fn of_case(case: &Case) -> Result<Vec<Gate>> {
     let mut solved = vec![];
     for rung in case.rungs(Size::Quick) {
         let found = case.solve(&rung, &options(), &mut |_| ());
-        solved.push((rung, found.map_err(|error| RowFault(error.to_string()))?));
+        solved.push((rung, found.map_err(|error| unexpected(case.name(), error))?));
     }
-    let named = |gate: Gate| Gate {
-        name: format!("{}: {}", case.name(), gate.name),
-        ..gate
-    };
-    let gates = case.judge(Size::Quick, &solved).gates;
-    Ok(gates.into_iter().map(named).collect())
+    let mut gates = case.judge(Size::Quick, &solved).gates;
+    for gate in &mut gates {
+        gate.name = format!("{}: {}", case.name(), gate.name);
+    }
+    Ok(gates)
 }

@@ -21,12 +21,11 @@ const MOST: u64 = 2000;
 type Run = (Scene, Options);
 
 /// Runs until the watch stops it; `None` where it does not within so many steps.
-fn watched((scene, initial): &Run, most: u64) -> Result<Option<Violation>, RowFault> {
+fn watched((scene, initial): &Run, most: u64) -> Result<Option<Violation>> {
     let mut scene = scene.clone();
     scene.on_imbalance = OnImbalance::Stop;
     let mut simulation = start(&scene, initial)?;
-    let error = (0..most).find_map(|_| simulation.step(f64::INFINITY).err());
-    let Some(error) = error else {
+    let Some(error) = (0..most).find_map(|_| simulation.step(f64::INFINITY).err()) else {
         return Ok(None);
     };
     match error.kind {
@@ -36,7 +35,7 @@ fn watched((scene, initial): &Run, most: u64) -> Result<Option<Violation>, RowFa
 }
 
 /// Messages of the watch about a run that goes wrong.
-fn noticed(run: &Run, reasons: &[Invariant], most: u64) -> Result<String, RowFault> {
+fn noticed(run: &Run, reasons: &[Invariant], most: u64) -> Result<String> {
     let name = method(&run.0);
     match watched(run, most)? {
         Some(violation) if reasons.contains(&violation.reason) => {
@@ -48,7 +47,7 @@ fn noticed(run: &Run, reasons: &[Invariant], most: u64) -> Result<String, RowFau
 }
 
 /// Sound runs are let go.
-fn no_alarm(name: &str, runs: impl IntoIterator<Item = Run>, most: u64) -> Judgement {
+fn no_alarm(name: &str, runs: impl IntoIterator<Item = Run>, most: u64) -> Result<Gate> {
     let mut alarms = gate(format!("{name}: sound runs that the watch stopped"))
         .none("a watch that stops sound runs is switched off");
     for run in runs {
@@ -81,12 +80,9 @@ fn squeezed(scheme: StressScheme, dt: f64) -> Run {
 fn too_long() -> RowVerdict {
     const EITHER: &[Invariant] = &[Invariant::Energy, Invariant::Increment];
     // Twice of what is below the bound of 0.44 of USL, and of 1.3 of the others.
-    let too_long = |scheme| {
-        if scheme == StressScheme::Usl {
-            0.8
-        } else {
-            2.4
-        }
+    let too_long = |scheme| match scheme {
+        StressScheme::Usl => 0.8,
+        StressScheme::Usf | StressScheme::Musl => 2.4,
     };
     let mut refusals = vec![];
     for scheme in SCHEMES {
