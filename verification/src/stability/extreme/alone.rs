@@ -34,7 +34,7 @@ fn beside(shares: &[f64], weightings: &[Weighting]) -> Vec<Fall> {
     falls
 }
 
-/// Falls of single particles, of which the worst is judged.
+/// The verdict on falls of single particles: the exact fall, without stress, in the worst of them.
 fn judged(falls: Vec<Fall>) -> RowVerdict {
     const YOUNG: f64 = 1e-4;
     const VELOCITY: Vector = [0.3, 0.2, 0.1];

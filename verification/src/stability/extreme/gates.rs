@@ -122,8 +122,8 @@ impl Conservation {
     }
 }
 
-/// The same of a scene with each scheme and each weighting function that has a stable step: so many steps, of which those
-/// count whose number `every` divides.
+/// Gates of [`Conservation`] on a scene with each scheme and each weighting function that has a stable step; `steps` are the
+/// steps of a run, and the number that divides those which are looked at.
 pub fn conserved(
     what: &str,
     scene: &Scene,

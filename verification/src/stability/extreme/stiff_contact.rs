@@ -135,8 +135,8 @@ fn stiff_penalty() -> RowVerdict {
     Ok(finding)
 }
 
-/// Falls with contact along an axis, with each scheme: gates on the worst of them, and the deepest penetration of a particle into
-/// a rigid surface \[m\]; `force` is that of contact on the body in a step \[N\].
+/// Falls with contact along the axis `up`: gates on the worst of some scenes, and the deepest penetration of a particle
+/// into a rigid surface \[m\]; `force` is that of contact on the body in a step \[N\].
 fn falls(
     name: &str,
     up: usize,

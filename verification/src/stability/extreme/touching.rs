@@ -100,8 +100,8 @@ fn friction() -> RowVerdict {
     Ok(Finding::of([free, sticks, limit, unbalanced, pull]))
 }
 
-/// Forces of contact up to a time \[s\]: the largest sum of all and the largest pull, each over the largest push, and that push
-/// \[N\]; `direction` is that in which contact pushes the second body.
+/// Forces of contact up to a time \[s\]: the largest sum of all and the largest pull, each over the largest push, and that
+/// push \[N\]; `direction` is that in which contact pushes the second body.
 fn forces(
     simulation: &mut Simulation,
     time: f64,
