@@ -69,6 +69,15 @@ pub enum FrictionLaw {
     Stick,
 }
 
+/// The groups that touch.
+#[derive(Clone, Copy, Debug)]
+struct TouchEnds {
+    master: usize,
+    slave: usize,
+    /// Change of their relative velocity for an impulse of one, over the smallest mass; zero where nothing can change it.
+    weight: f64,
+}
+
 /// Resolves contact at one node after the other, with the memory for it.
 #[derive(Clone, Debug, Default)]
 pub struct Coulomb {
@@ -80,6 +89,8 @@ pub struct Coulomb {
     increment: Vec<Vector>,
     velocity: Vec<Vector>,
     inverse: Vec<f64>,
+    /// Groups of each touch.
+    ends: Vec<TouchEnds>,
     /// Impulse of each touch over the smallest mass \[m/s\].
     impulse: Vec<Vector>,
     change: Vec<Vector>,
@@ -230,18 +241,32 @@ impl Coulomb {
 
     /// Iterates the impulses of all touches.
     fn sweep(&mut self, touches: &[FieldTouch]) {
+        let (group, inverse) = (&self.group, &self.inverse);
+        self.ends.clear();
+        self.ends.extend(touches.iter().map(|touch| {
+            let [master, slave] = [group[touch.master], group[touch.slave]];
+            let weight = if master == slave {
+                0.0
+            } else {
+                inverse[master] + inverse[slave]
+            };
+            TouchEnds {
+                master,
+                slave,
+                weight,
+            }
+        }));
         self.velocity.clone_from(&self.trial);
         self.impulse.clear();
         self.impulse.resize(touches.len(), [0.0; 3]);
-        let ends = |touch: &FieldTouch, group: &[usize]| (group[touch.master], group[touch.slave]);
-        let mut most = 0;
-        for group in 0..self.group.len() {
-            let own = touches.iter().filter(|t| {
-                let (a, b) = ends(t, &self.group);
-                a != b && (a == group || b == group)
-            });
-            most = most.max(own.count());
-        }
+        self.change.clear();
+        self.change.resize(touches.len(), [0.0; 3]);
+        let apart = || self.ends.iter().filter(|ends| ends.master != ends.slave);
+        let of_group = |group: usize| {
+            let own = apart().filter(|ends| ends.master == group || ends.slave == group);
+            own.count()
+        };
+        let most = (0..self.group.len()).map(of_group).max().unwrap_or(0);
         if most == 0 {
             return;
         }
@@ -249,50 +274,47 @@ impl Coulomb {
         let mut scale = 0.0_f64;
         for sweep in 0..MOST_SWEEPS {
             let mut largest = 0.0_f64;
-            self.change.clear();
-            for (touch, impulse) in touches.iter().zip(&mut self.impulse) {
-                let (a, b) = ends(touch, &self.group);
-                let weight = self.inverse[a] + self.inverse[b];
-                let approach: Vector =
-                    std::array::from_fn(|k| self.velocity[a][k] - self.velocity[b][k]);
-                if a == b || weight == 0.0 {
-                    self.change.push([0.0; 3]);
+            let sought = self.impulse.iter_mut().zip(&mut self.change);
+            for ((touch, ends), (impulse, change)) in touches.iter().zip(&self.ends).zip(sought) {
+                let weight = ends.weight;
+                if weight == 0.0 {
                     continue;
                 }
+                let (master, slave) = (&self.velocity[ends.master], &self.velocity[ends.slave]);
+                let approach: Vector = std::array::from_fn(|k| master[k] - slave[k]);
                 if sweep == 0 {
                     scale = scale.max(length(&approach));
                 }
                 let wanted = std::array::from_fn(|k| impulse[k] + share * approach[k] / weight);
                 let next = admitted(&wanted, touch);
-                let change: Vector = std::array::from_fn(|k| next[k] - impulse[k]);
-                largest = largest.max(weight * length(&change));
+                *change = std::array::from_fn(|k| next[k] - impulse[k]);
+                largest = largest.max(weight * length(change));
                 *impulse = next;
-                self.change.push(change);
             }
-            self.apply(touches, most > 1);
-            if most == 1 || largest <= SMALLEST_CHANGE * scale {
+            if most == 1 {
+                break;
+            }
+            self.apply();
+            if largest <= SMALLEST_CHANGE * scale {
                 break;
             }
         }
         // Once more from the whole impulses, so that the round-off of many sweeps does not add up.
         self.velocity.clone_from(&self.trial);
         self.change.clone_from(&self.impulse);
-        self.apply(touches, true);
+        self.apply();
     }
 
     /// Adds the changes of the impulses to the velocities.
-    fn apply(&mut self, touches: &[FieldTouch], wanted: bool) {
-        if !wanted {
-            return;
-        }
-        for (touch, change) in touches.iter().zip(&self.change) {
+    fn apply(&mut self) {
+        for (ends, change) in self.ends.iter().zip(&self.change) {
             if *change == [0.0; 3] {
                 continue;
             }
-            let (a, b) = (self.group[touch.master], self.group[touch.slave]);
+            let [of_master, of_slave] = [ends.master, ends.slave].map(|group| self.inverse[group]);
             for k in 0..3 {
-                self.velocity[a][k] -= self.inverse[a] * change[k];
-                self.velocity[b][k] += self.inverse[b] * change[k];
+                self.velocity[ends.master][k] -= of_master * change[k];
+                self.velocity[ends.slave][k] += of_slave * change[k];
             }
         }
     }

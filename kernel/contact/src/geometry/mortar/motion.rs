@@ -1,5 +1,4 @@
 //! Motion of vertices with their body: by velocities of the nodes (eq. 28-30), or on its particles.
-//! 28-30), or on its particles.
 
 use super::PointIn;
 use super::weights::VertexWeights;
