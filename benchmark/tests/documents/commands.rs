@@ -117,11 +117,17 @@ fn desk() -> TempDir {
     }
     copy(&root().join("fixtures/bench"), desk.path());
     // A hundredth of the work.
-    let rings = at("fixtures/bench/rings.json");
-    let text = fs::read_to_string(&rings).expect("a configuration");
-    let less = text.replace("30000000", "300000");
-    assert_ne!(text, less);
-    fs::write(&rings, less).expect("a configuration");
+    for (name, whole, less) in [
+        ("rings", "30000000", "300000"),
+        ("ranks", "5120000", "51200"),
+        ("speed", "5120000", "51200"),
+    ] {
+        let file = at(&format!("fixtures/bench/{name}.json"));
+        let text = fs::read_to_string(&file).expect("a configuration");
+        let changed = text.replace(whole, less).replace("64000", "8000");
+        assert_ne!(text, changed);
+        fs::write(&file, changed).expect("a configuration");
+    }
     copy(&root().join("fixtures/scenes"), &at("scenes"));
     fs::copy(at("fixtures/bench/peers.json"), at("peer.json")).expect("a configuration");
     // What the tutorials have their reader copy.
