@@ -97,6 +97,7 @@ impl Cycle {
                 }
             }
         }
+        self.join_by_node(&mut links);
         let mut all: Vec<FreeGroundNode> = vec![];
         let mut below: Option<([usize; 3], usize)> = None;
         for (key, (number, mut node)) in columns {

@@ -66,7 +66,9 @@ impl Cycle {
             }
             force
         };
-        Ok(nodes.iter().map(force).collect())
+        let mut forces: Vec<Vector> = nodes.iter().map(force).collect();
+        self.join_at_nodes(nodes.iter().map(|one| one.node), &mut forces);
+        Ok(forces)
     }
 
     /// The nodes of absorbing planes in their order, with impedances and stiffnesses.
@@ -160,7 +162,20 @@ impl Cycle {
                 }
             }
         }
+        self.join_ground(&mut ground);
         ground
+    }
+
+    /// The ground as the ranks that own its nodes have it: they hold all particles that reach these, in their order.
+    fn join_ground(&self, ground: &mut [Ground]) {
+        if self.ranks().is_none() {
+            return;
+        }
+        let mut sums: Vec<_> = ground.iter().map(Ground::sums).collect();
+        self.join_at_nodes(ground.iter().map(|one| one.node), &mut sums);
+        for (one, sums) in ground.iter_mut().zip(sums) {
+            one.set_sums(sums);
+        }
     }
 
     /// True if a plane or a held box prescribes the velocity of a node along an axis.
@@ -200,6 +215,19 @@ pub(super) struct Ground {
 }
 
 impl Ground {
+    /// All sums over particles.
+    fn sums(&self) -> [f64; 7] {
+        let ([a, b], [c, d]) = (self.impedance, self.modulus);
+        [self.mass, self.volume, a, b, c, d, self.damping_rate]
+    }
+
+    /// Takes those sums.
+    fn set_sums(&mut self, [mass, volume, a, b, c, d, damping_rate]: [f64; 7]) {
+        (self.mass, self.volume) = (mass, volume);
+        (self.impedance, self.modulus) = ([a, b], [c, d]);
+        self.damping_rate = damping_rate;
+    }
+
     /// Nodes that particles reach, with the area that is covered there \[m²\]: ground covers a part of the cells around its edge.
     pub(super) fn covered(all: &[Self]) -> impl Iterator<Item = (&Self, f64)> {
         let fullest = (all.iter()).fold(0.0_f64, |most, one| most.max(one.volume / one.area));

@@ -42,7 +42,7 @@ pub use crate::grid::{GridShape, Line};
 pub use crate::stage::solve::{DashpotNode, EmptyNode, PlaneSums, Planes};
 pub use conditions::{describe as describe_conditions, nodes_of_traction, of as conditions};
 pub use context::{
-    Condition, FieldNodes, NodalConditions, Node, Remap, StepContext, VelocityMapping,
+    Condition, FieldNodes, NOT_LOCAL, NodalConditions, Node, Remap, StepContext, VelocityMapping,
     at_half_step_after,
 };
 pub use fields::{Grid, Owner, Slab, SlabField, VelocityField};
@@ -55,7 +55,7 @@ pub use mapping::{NodeWeights, node_weights, node_weights_touching};
 pub use nodes::NodeValues;
 pub use phase::Phase;
 use ranks::Share;
-pub use ranks::{NOT_LOCAL, OwnPart, PartOfSet, RankForecast};
+pub use ranks::{OwnPart, PartOfSet, RankForecast};
 pub use rehearsal::{Part, Rehearsal};
 pub use result_quality::{MOST_REMAINDER, ResultQuality};
 pub use start::Start;

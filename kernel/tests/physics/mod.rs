@@ -26,7 +26,7 @@ mod large_grid;
 mod left_behind;
 mod limits;
 mod loads;
-mod mortar;
+pub(crate) mod mortar;
 mod mortar_drift;
 mod mortar_layer;
 mod mortar_limits;

@@ -12,7 +12,7 @@ use proctor_scene::{
 };
 use std::sync::Arc;
 
-fn contact(id: i64, [master, slave]: [i64; 2], friction: f64) -> Contact {
+pub(super) fn contact(id: i64, [master, slave]: [i64; 2], friction: f64) -> Contact {
     Contact {
         name: format!("pair {id}"),
         id,

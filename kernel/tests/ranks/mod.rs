@@ -1,5 +1,7 @@
 //! Ranks that share a simulation: state, sums, events and errors are those of one process, bit by bit.
 
+mod absorbing;
+mod conditions;
 mod contact;
 mod harness;
 mod surfaces;
@@ -199,35 +201,38 @@ fn a_step_sends_what_the_plan_counts() {
         for scheme in SCHEMES {
             let mut scene = strip(dimension);
             scene.scheme = scheme;
-            let initial = drifting(&scene, 0.5);
-            let forecast = start(&scene, 1, &initial).forecast_ranks(3);
-            let forecast = forecast.expect("the scene can be shared");
-            let particles: usize = forecast.iter().map(|share| share.particles).sum();
-            assert_eq!(particles, start(&scene, 1, &initial).particles());
-            let ranks = threads::ranks(3, None);
-            let sent: Vec<usize> = std::thread::scope(|scope| {
-                let step = |rank: threads::Thread| {
-                    let (scene, initial) = (&scene, &initial);
-                    move || {
-                        let sent = rank.sent();
-                        let mut simulation = start(scene, 1, initial);
-                        let shared = simulation.share_among(Arc::new(rank));
-                        shared.expect("the scene can be shared");
-                        simulation.step(NEVER).expect("a sound step");
-                        sent.load(std::sync::atomic::Ordering::Relaxed)
-                    }
-                };
-                let all: Vec<_> = ranks
-                    .into_iter()
-                    .map(|rank| scope.spawn(step(rank)))
-                    .collect();
-                let joined = all.into_iter().map(std::thread::ScopedJoinHandle::join);
-                joined.map(|sent| sent.expect("no rank panics")).collect()
-            });
-            let foretold: Vec<usize> = forecast.iter().map(|share| share.sent).collect();
-            assert_eq!(sent, foretold, "{scheme:?}");
+            sends_what_the_plan_counts(&scene);
         }
     }
+}
+
+fn sends_what_the_plan_counts(scene: &Scene) {
+    let initial = &drifting(scene, 0.5);
+    let forecast = start(scene, 1, initial).forecast_ranks(3);
+    let forecast = forecast.expect("the scene can be shared");
+    let particles: usize = forecast.iter().map(|share| share.particles).sum();
+    assert_eq!(particles, start(scene, 1, initial).particles());
+    let ranks = threads::ranks(3, None);
+    let sent: Vec<usize> = std::thread::scope(|scope| {
+        let step = |rank: threads::Thread| {
+            move || {
+                let sent = rank.sent();
+                let mut simulation = start(scene, 1, initial);
+                let shared = simulation.share_among(Arc::new(rank));
+                shared.expect("the scene can be shared");
+                simulation.step(NEVER).expect("a sound step");
+                sent.load(std::sync::atomic::Ordering::Relaxed)
+            }
+        };
+        let all: Vec<_> = ranks
+            .into_iter()
+            .map(|rank| scope.spawn(step(rank)))
+            .collect();
+        let joined = all.into_iter().map(std::thread::ScopedJoinHandle::join);
+        joined.map(|sent| sent.expect("no rank panics")).collect()
+    });
+    let foretold: Vec<usize> = forecast.iter().map(|share| share.sent).collect();
+    assert_eq!(sent, foretold, "{:?}", scene.scheme);
 }
 
 /// Of all cuts the one that is taken leaves the rank with most particles, ghosts among them, the fewest.
@@ -289,13 +294,9 @@ fn what_is_not_local_is_refused() {
             .share_among(Arc::new(rank))
             .expect_err("not local")
     };
-    let part = |scene: &Scene| match refused(scene, 2) {
-        SharingRefusal::Part { part } => part,
-        other => panic!("{other}"),
-    };
-    let mut scene = strip(Dimension::Two);
-    scene.mesh.planes[0][1] = PlaneCondition::Absorbing;
-    assert_eq!(part(&scene), "absorbing planes");
+    let scene = crate::physics::mortar::collision(0.4);
+    let part = "mortar contact";
+    assert_eq!(refused(&scene, 2), SharingRefusal::Part { part });
     let scene = strip(Dimension::Two);
     let error = refused(&scene, 13);
     assert_eq!(

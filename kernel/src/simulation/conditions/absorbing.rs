@@ -19,7 +19,7 @@ use crate::model::{CycleSettings, PlaneCondition, Vector};
 use crate::simulation::Cycle;
 use crate::simulation::context::{Condition, FieldNodes, NodalConditions};
 use crate::simulation::fields::{Owner, SlabField};
-use crate::simulation::values::{Drift, StepError, StepErrorKind};
+use crate::simulation::values::{AbsorbingNode, Drift, StepError, StepErrorKind};
 use crate::stage::solve::{DashpotNode, EmptyNode, PlaneSums};
 use std::sync::Arc;
 
@@ -199,8 +199,21 @@ impl Cycle {
                 }
             }
         }
+        self.join_displacements(&mut nodes);
         self.state.absorbing = nodes;
         self.stays_at_dashpots()
+    }
+
+    /// Displacements as the ranks that own the nodes have them: every rank knows all.
+    fn join_displacements(&self, nodes: &mut [AbsorbingNode]) {
+        if self.ranks().is_none() {
+            return;
+        }
+        let mut all: Vec<Vector> = nodes.iter().map(|one| one.displacement).collect();
+        self.join_at_nodes(nodes.iter().map(|one| one.node), &mut all);
+        for (one, displacement) in nodes.iter_mut().zip(all) {
+            one.displacement = displacement;
+        }
     }
 
     fn stays_at_dashpots(&self) -> Result<(), StepError> {

@@ -16,6 +16,10 @@ use smallvec::SmallVec;
 use std::ops::Range;
 use std::sync::Arc;
 
+/// Parts of a scene that ranks do not share, beside the interactions that say so
+/// ([`Interaction::not_local`](super::Interaction::not_local)): a condition that does not say otherwise ([`Condition::not_local`]).
+pub const NOT_LOCAL: [&str; 1] = ["conditions of a program's own"];
+
 /// A condition on the nodes of velocity fields.
 ///
 /// A step asks it in this order: [`Condition::prescribe`] once its length is known; then for each field, on each slab of
@@ -28,6 +32,15 @@ pub trait Condition: Send + Sync {
     /// slabs then.
     fn reads_masses(&self) -> bool {
         false
+    }
+
+    /// The part of a scene that this is, for a refusal, where ranks cannot share it; `None` where they can.
+    ///
+    /// Ranks can share a condition whose action at a node follows from that node, its place and the time. Anything else that it
+    /// finds must be the same on all ranks: it joins that through [`StepView::ranks`] in [`Condition::prescribe`], which all
+    /// ranks call at the same time, while the other calls come from slab to slab.
+    fn not_local(&self) -> Option<&'static str> {
+        Some(NOT_LOCAL[0])
     }
 
     /// Adds what it prescribes in a step to what others do.

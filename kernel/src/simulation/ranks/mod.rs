@@ -7,6 +7,7 @@
 //! either side, which come from the two neighbours in one message after the equation of motion. Sums over planes are
 //! folded in order of the planes, sums over particles are exact, and all else that ranks join is a maximum or a count.
 
+mod at_nodes;
 mod by_identifier;
 mod cut;
 mod exchange;
@@ -29,9 +30,6 @@ use crate::stage::g2p::ParticleMaxima;
 use cut::{Cut, LEAST_PLANES};
 use std::ops::Range;
 use std::sync::Arc;
-
-/// Parts of a scene that ranks do not share, beside the interactions that say so ([`Interaction::not_local`]).
-pub const NOT_LOCAL: [&str; 2] = ["conditions of a program's own", "absorbing planes"];
 
 /// The part that a rank has in a shared simulation.
 pub(crate) struct Share {
@@ -215,13 +213,11 @@ impl Cycle {
 
     /// The first part of the scene that more than its surroundings act on.
     fn not_local(&self) -> Option<&'static str> {
-        let (model, settings) = (&self.model, &self.model.settings);
-        let parts = [!model.own_conditions.is_empty(), settings.absorbs()];
-        let there = NOT_LOCAL.iter().zip(parts).filter(|(_, there)| *there);
+        let conditions = self.model.own_conditions.iter();
         let interactions = self.interactions();
         interactions
             .filter_map(Interaction::not_local)
-            .chain(there.map(|(part, _)| *part))
+            .chain(conditions.filter_map(|one| one.not_local()))
             .next()
     }
 }
