@@ -36,11 +36,7 @@ use proctor_kernel::plan::PlanEntries;
 use proctor_kernel::simulation::{BodyRun, Interactions, SetupError};
 
 /// Kinds of contact that ranks do not share ([`Interaction::not_local`](proctor_kernel::simulation::Interaction::not_local)).
-pub const NOT_LOCAL: [&str; 3] = [
-    "driven shapes",
-    "mortar contact",
-    "driven bodies beside rigid surfaces",
-];
+pub const NOT_LOCAL: [&str; 1] = ["mortar contact"];
 
 /// Kinds of contact, in the order in which they act.
 const ALL: &[ContactType] = &[grid::GRID, mortar::MORTAR, surfaces::SURFACES];

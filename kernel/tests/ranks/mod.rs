@@ -3,6 +3,7 @@
 mod absorbing;
 mod conditions;
 mod contact;
+mod driven_shapes;
 mod harness;
 mod surfaces;
 mod threads;

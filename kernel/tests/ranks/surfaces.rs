@@ -1,7 +1,7 @@
 //! Rigid surfaces shared among ranks: every rank sweeps over the touches of all.
 
 use super::{compare, strip};
-use crate::common::{APIC, FLIP};
+use crate::common::{APIC, FLIP, SCHEMES, cuboid};
 use proctor_contact::geometry::surface::Surface;
 use proctor_kernel::simulation::StepErrorKind;
 use proctor_scene::{Damping, Dimension, History, RigidSurface, Scene, StressScheme};
@@ -73,17 +73,51 @@ fn ranks_stop_for_the_same_surface() {
     );
 }
 
-/// A rank does not know all nodes beside its own that a driven body holds.
+/// Bodies side by side, of which each second one moves as prescribed and takes the nodes of its neighbours along. Their ends pass
+/// the planes of all ranks.
+fn beside_driven_bodies() -> Scene {
+    let mut scene = on_a_slope(0.3);
+    let first = scene.bodies.remove(0);
+    scene.bodies.clear();
+    for id in 0..9_u8 {
+        let x = 0.3 + 0.4 * f64::from(id);
+        let mut one = first.clone();
+        (one.id, one.name) = (i64::from(id) + 1, format!("body {id}"));
+        one.shape = cuboid([x, 0.21, 0.2], [x + 0.4, 0.41, 0.4]);
+        if id % 2 == 1 {
+            one.motion = Some(History {
+                times: vec![0.0, 0.1],
+                values: vec![[8.0, 0.0, 0.0], [6.0, 0.0, 0.1]],
+            });
+        }
+        scene.bodies.push(one);
+    }
+    scene
+}
+
 #[test]
-fn a_driven_body_beside_a_surface_is_refused() {
-    let mut scene = on_a_slope(0.0);
-    scene.bodies[1].motion = Some([1.0, 0.0, 0.0].into());
-    let rank = super::threads::ranks(2, None).swap_remove(0);
-    let mut simulation = super::start(&scene, 1, &super::drifting(&scene, 1.0));
-    let refused = simulation.share_among(Arc::new(rank));
-    let refused = refused.expect_err("not local").to_string();
-    assert!(
-        refused.contains("driven bodies beside rigid surfaces"),
-        "{refused}"
-    );
+fn ranks_rest_on_surfaces_beside_driven_bodies() {
+    let damped = Damping::Local { alpha: 0.2 };
+    for (scheme, transfer, damping) in [
+        (StressScheme::Usl, FLIP, Damping::None),
+        (StressScheme::Musl, APIC, damped),
+        (StressScheme::Usf, FLIP, Damping::None),
+    ] {
+        let mut scene = beside_driven_bodies();
+        (scene.scheme, scene.transfer, scene.damping) = (scheme, transfer, damping);
+        let end = compare(&scene, 40, 8.0);
+        assert!(end.error.is_none(), "{:?}", end.error);
+        assert!(end.sorts >= 5, "{} sorts", end.sorts);
+        assert!(end.touching.len() > 50, "{} nodes", end.touching.len());
+    }
+}
+
+/// The plan counts the nodes of driven bodies that ranks send.
+#[test]
+fn a_step_beside_driven_bodies_sends_what_the_plan_counts() {
+    for scheme in SCHEMES {
+        let mut scene = beside_driven_bodies();
+        scene.scheme = scheme;
+        super::sends_what_the_plan_counts(&scene);
+    }
 }

@@ -12,7 +12,7 @@ use proctor_kernel::simulation::{
 
 impl Interaction for MortarState {
     fn not_local(&self) -> Option<&'static str> {
-        Some(NOT_LOCAL[1])
+        Some(NOT_LOCAL[0])
     }
 
     /// Bodies whose boundary moves with a velocity field of their own.

@@ -16,7 +16,6 @@ pub mod touch;
 mod touch_fault;
 mod touching_particles;
 
-use crate::NOT_LOCAL;
 use crate::kinds::{ContactType, InteractionResult};
 use crate::values::{ContactValues, PairValues, RigidSurface};
 use fields::change_velocities;
@@ -55,8 +54,6 @@ pub struct SurfaceContact {
     given: PairValues,
     /// The obstacle that pushes.
     rigid: Vec<RigidObstacle>,
-    /// True where bodies move as prescribed.
-    drives_bodies: bool,
     near: NearParticles,
     /// Touches of the last equation of motion, and those of a second mapping.
     trial: TouchingParticles,
@@ -87,7 +84,6 @@ impl SurfaceContact {
         Some(Ok(Box::new(Self {
             given,
             rigid,
-            drives_bodies: settings.drives_bodies,
             near: NearParticles::default(),
             trial: TouchingParticles::default(),
             mapped: TouchingParticles::default(),
@@ -100,14 +96,8 @@ impl SurfaceContact {
 }
 
 impl Interaction for SurfaceContact {
-    /// A surface moves as prescribed wherever particles are. The place of a driven body is that of one of its particles, which other
-    /// ranks do not hold, and a rank does not know all nodes beside its own that a driven body holds.
     fn not_local(&self) -> Option<&'static str> {
-        let is_driven = |one: &RigidObstacle| matches!(one, RigidObstacle::Driven(_));
-        if self.rigid.iter().any(is_driven) {
-            return Some(NOT_LOCAL[0]);
-        }
-        self.drives_bodies.then_some(NOT_LOCAL[2])
+        None
     }
 
     fn settles_across_ranks(&self) -> bool {
@@ -120,11 +110,7 @@ impl Interaction for SurfaceContact {
 
     fn sorted(&mut self, view: &StepView<'_>) {
         self.near.forget();
-        for rigid in &mut self.rigid {
-            if let RigidObstacle::Driven(driven) = rigid {
-                driven.note_start(view);
-            }
-        }
+        obstacle::note_starts(&mut self.rigid, view);
     }
 
     /// Particles may have other places than those of the list.

@@ -1,6 +1,6 @@
 //! The particles that may touch a surface until they have moved some way, so that not all are searched for in each step.
 
-use super::obstacle::RigidObstacle;
+use super::obstacle::{RigidMotion, RigidObstacle, join_shifts};
 use super::particle_ellipsoid::{half_lengths, length};
 use proctor_geometry::team::ItemCost;
 use proctor_kernel::model::Vector;
@@ -24,15 +24,6 @@ pub(super) struct NearParticles {
     /// identifier.
     nearest: Vec<Option<usize>>,
     by_id: Vec<(u64, usize)>,
-}
-
-/// Motion of a rigid thing in one step.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct RigidMotion {
-    /// Displacement since the start, at the beginning of the step \[m\].
-    pub(super) shift: Vector,
-    /// Mean velocity in the step \[m/s\].
-    pub(super) velocity: Vector,
 }
 
 impl NearParticles {
@@ -70,6 +61,9 @@ impl NearParticles {
             shift: one.shift(view),
             velocity: one.velocity(view, nodal),
         }));
+        if let Some(ranks) = view.ranks {
+            join_shifts(ranks, view, rigid, &mut self.now);
+        }
         let speeds = self.now.iter().map(|now| length(&now.velocity));
         let fastest = speeds.fold(0.0, f64::max);
         // Twice the way at the present speed, since contact and forces may make particles faster within the step.

@@ -11,6 +11,7 @@ use crate::grid::{acts_by_shape, pairs_of};
 use crate::pairs::Pair;
 use crate::values::{PairValues, RigidSurface};
 use proctor_kernel::model::{CycleSettings, Shape, Vector};
+use proctor_kernel::ranks::{Ranks, Words};
 use proctor_kernel::simulation::{BodyRun, Displacement, NodalConditions, StepView};
 use std::sync::Arc;
 
@@ -28,6 +29,15 @@ pub(super) enum RigidObstacle {
     Surface(SurfaceObstacle),
     /// A driven body.
     Driven(Box<DrivenObstacle>),
+}
+
+/// Motion of a rigid thing in one step.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct RigidMotion {
+    /// Displacement since the start, at the beginning of the step \[m\].
+    pub(super) shift: Vector,
+    /// Mean velocity in the step \[m/s\].
+    pub(super) velocity: Vector,
 }
 
 /// A surface of the scene that pushes all bodies.
@@ -118,24 +128,67 @@ pub(super) fn all(
     surfaces.chain(driven).collect()
 }
 
-impl DrivenObstacle {
-    /// Notes where the body is at the start.
-    pub(super) fn note_start(&mut self, view: &StepView<'_>) {
-        let set = &view.particles[self.body];
-        if self.start.is_none() && !set.is_empty() {
-            self.start = Some((set.id[0], set.position(0)));
+/// Notes where driven bodies are at the start, each by the first of its particles: where ranks share the step, by that of the first
+/// rank that owns any.
+pub(super) fn note_starts(rigid: &mut [RigidObstacle], view: &StepView<'_>) {
+    for one in rigid {
+        let RigidObstacle::Driven(driven) = one else {
+            continue;
+        };
+        if driven.start.is_some() {
+            continue;
+        }
+        let set = &view.particles[driven.body];
+        let first = view.own_particles(driven.body).next();
+        let here = first.map(|p| (set.id[p], set.position(p)));
+        driven.start = match view.ranks {
+            None => here,
+            Some(ranks) => first_of(ranks, here),
+        };
+    }
+}
+
+/// Puts the displacements of driven bodies, each from a rank that holds the particle by which it is known, in the place of those
+/// that this rank found.
+pub(super) fn join_shifts(
+    ranks: &dyn Ranks,
+    view: &StepView<'_>,
+    rigid: &[RigidObstacle],
+    now: &mut [RigidMotion],
+) {
+    for (one, now) in rigid.iter().zip(now) {
+        if let RigidObstacle::Driven(driven) = one {
+            let here = driven.known_shift(view).map(|shift| (0, shift));
+            now.shift = first_of(ranks, here).map_or([0.0; 3], |(_, shift)| shift);
         }
     }
+}
 
-    /// Displacement since the start, relative to the mesh \[m\]: that of one of its particles.
-    fn shift(&self, view: &StepView<'_>) -> Vector {
+/// An identifier and a vector from the first rank that has them.
+fn first_of(ranks: &dyn Ranks, here: Option<(u64, Vector)>) -> Option<(u64, Vector)> {
+    let mut words = vec![];
+    if let Some((id, vector)) = here {
+        words.push(id);
+        words.extend(vector.map(f64::to_bits));
+    }
+    let all = ranks.all_gather(&words);
+    let mut first = Words::of(all.iter().find(|words| !words.is_empty())?);
+    Some((first.word(), [(); 3].map(|()| first.number())))
+}
+
+impl DrivenObstacle {
+    /// Displacement since the start, relative to the mesh \[m\]: that of one of its particles; `None` where it is not here.
+    fn known_shift(&self, view: &StepView<'_>) -> Option<Vector> {
         let set = &view.particles[self.body];
-        let moved = self.start.as_ref().and_then(|(id, start)| {
-            let p = set.id.iter().position(|one| one == id)?;
-            let now = set.position(p);
-            Some(std::array::from_fn(|axis| now[axis] - start[axis]))
-        });
-        moved.unwrap_or_default()
+        let (id, start) = self.start.as_ref()?;
+        let p = set.id.iter().position(|one| one == id)?;
+        let now = set.position(p);
+        Some(std::array::from_fn(|axis| now[axis] - start[axis]))
+    }
+
+    /// Displacement since the start, relative to the mesh \[m\].
+    fn shift(&self, view: &StepView<'_>) -> Vector {
+        self.known_shift(view).unwrap_or_default()
     }
 }
 

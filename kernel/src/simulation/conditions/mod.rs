@@ -111,16 +111,24 @@ impl Cycle {
     ) -> NodalConditions {
         let mut nodal = std::mem::take(&mut self.work.nodal);
         nodal.begin(kick, half_steps, drift);
+        self.prescribe(&mut nodal);
+        self.exchange_driven(&mut nodal);
+        nodal
+    }
+
+    /// Adds what all conditions prescribe in a step of these times.
+    #[inline]
+    pub(super) fn prescribe(&self, nodal: &mut NodalConditions) {
+        let half_steps = nodal.half_steps;
         let bodies = self.model.bodies.iter();
         nodal.prescribed.extend(bodies.map(|body| {
             let motion = body.motion.as_ref()?;
             Some(half_steps.map(|time| history_value(motion, time)))
         }));
-        self.prescribe_absorbing(&mut nodal);
+        self.prescribe_absorbing(nodal);
         let view = self.view();
         for condition in &self.model.conditions {
-            condition.prescribe(&view, &mut nodal);
+            condition.prescribe(&view, nodal);
         }
-        nodal
     }
 }

@@ -1,9 +1,13 @@
 //! Planes of nodes beside those of a rank, which its neighbours send after the equation of motion.
 
+use super::Share;
 use crate::grid::Line;
 use crate::ranks::Words;
 use crate::simulation::Cycle;
+use crate::simulation::context::NodalConditions;
 use crate::simulation::fields::Grid;
+use crate::simulation::interactions::Interaction;
+use crate::stage::solve::DrivenNode;
 use std::ops::Range;
 
 impl Cycle {
@@ -12,21 +16,72 @@ impl Cycle {
         let Some(share) = &self.work.share else {
             return;
         };
-        let (own, reach) = (share.planes(), self.state.stencil + 1);
+        let reach = self.state.stencil + 1;
         let grid = &mut self.work.grid;
-        let outer = [own.start..own.start + reach, own.end - reach..own.end];
-        let [first, last] = [share.rank() == 0, share.rank() + 1 == share.ranks.count()];
-        let packed = |planes: Range<usize>, nobody: bool| {
-            if nobody { vec![] } else { pack(grid, planes) }
-        };
-        let [below, above] = outer;
-        let sent = [packed(below, first), packed(above, last)];
+        let sent = to_neighbours(share, reach, |planes| pack(grid, planes));
         for words in share.ranks.exchange(sent) {
             unpack(grid, &words);
         }
     }
+
+    /// Gives each rank the nodes beside its own that driven bodies hold, where an interaction reads these: a rank knows which
+    /// particles reach its own nodes, not which ones reach those of a neighbour.
+    pub(in crate::simulation) fn exchange_driven(&self, nodal: &mut NodalConditions) {
+        let Some(share) = &self.work.share else {
+            return;
+        };
+        if !self.exchanges_driven() {
+            return;
+        }
+        let own = share.planes();
+        let plane = |one: &DrivenNode| self.work.grid.shape.indices(one.node)[0];
+        nodal.driven.retain(|one| own.contains(&plane(one)));
+        let sent = to_neighbours(share, self.state.stencil + 1, |planes| {
+            let nodes = nodal.driven.iter();
+            let nodes = nodes.filter(|one| planes.contains(&plane(one)));
+            let words = nodes.flat_map(|one| {
+                let velocities = [one.before, one.after].into_iter().flatten();
+                std::iter::once(one.node as u64).chain(velocities.map(f64::to_bits))
+            });
+            words.collect()
+        });
+        for words in share.ranks.exchange(sent) {
+            for words in words.chunks_exact(DRIVEN) {
+                let mut words = Words::of(words);
+                nodal.driven.push(DrivenNode {
+                    node: words.count(),
+                    before: [(); 3].map(|()| words.number()),
+                    after: [(); 3].map(|()| words.number()),
+                });
+            }
+        }
+        nodal.driven.sort_unstable_by_key(|one| one.node);
+    }
+
+    /// True where ranks give each other the nodes that driven bodies hold.
+    pub(super) fn exchanges_driven(&self) -> bool {
+        let mut interactions = self.interactions();
+        self.model.settings.drives_bodies && interactions.any(Interaction::settles_across_ranks)
+    }
 }
 
+/// Words of the outer planes of a rank, so many on either side, for the rank below and for the one above; none where there is no rank.
+fn to_neighbours(
+    share: &Share,
+    reach: usize,
+    pack: impl Fn(Range<usize>) -> Vec<u64>,
+) -> [Vec<u64>; 2] {
+    let own = share.planes();
+    let [first, last] = [share.rank() == 0, share.rank() + 1 == share.ranks.count()];
+    let packed = |planes: Range<usize>, nobody: bool| {
+        if nobody { vec![] } else { pack(planes) }
+    };
+    let below = packed(own.start..own.start + reach, first);
+    [below, packed(own.end - reach..own.end, last)]
+}
+
+/// Words of a node that moves with a driven body: its index and two velocities.
+pub(super) const DRIVEN: usize = 7;
 /// Words before the values of a row: its field, its first node, the number of nodes.
 const HEAD: usize = 3;
 /// Values of a node.

@@ -1,8 +1,10 @@
 //! Forecast of the shares of ranks, before a simulation is shared.
 
 use super::cut::Cut;
-use super::{SharingRefusal, exchange};
+use super::exchange::{self, DRIVEN};
+use super::{Interaction, SharingRefusal};
 use crate::model::StressScheme;
+use crate::simulation::context::NodalConditions;
 use crate::simulation::{Cycle, water};
 use std::ops::Range;
 
@@ -32,8 +34,19 @@ impl Cycle {
             let sets = self.state.sets.iter();
             sets.map(|set| set.in_layers(layers.clone()).len()).sum()
         };
-        let sent =
-            |planes: Range<usize>| exchange::words(&self.work.grid, planes) * size_of::<u64>();
+        let mut nodal = NodalConditions::default();
+        if self.exchanges_driven() {
+            self.prescribe(&mut nodal);
+        }
+        let lists = 1 + usize::from(self.has_separate_p2g());
+        let sent = |planes: Range<usize>| {
+            let driven = nodal.driven.iter();
+            let driven = driven
+                .filter(|one| planes.contains(&self.work.grid.shape.indices(one.node)[0]))
+                .count();
+            let lines = exchange::words(&self.work.grid, planes.clone());
+            (lines * self.exchanges_per_step() + driven * DRIVEN * lists) * size_of::<u64>()
+        };
         let of_rank = |rank: usize| {
             let planes = cut.planes(rank);
             let own = particles(planes.clone());
@@ -47,7 +60,7 @@ impl Cycle {
             RankForecast {
                 particles: own,
                 ghosts: particles(cut.held(rank)) - own,
-                sent: bytes * self.exchanges_per_step(),
+                sent: bytes,
                 planes,
             }
         };
@@ -56,12 +69,13 @@ impl Cycle {
 
     /// Exchanges of planes in a step.
     fn exchanges_per_step(&self) -> usize {
-        let maps_again = self.model.plan.scheme != StressScheme::Usl;
+        let mappings = 1 + usize::from(self.model.plan.scheme != StressScheme::Usl);
+        let settles = self.interactions().any(Interaction::settles_across_ranks);
         let of_water = if self.work.grid.has_water {
             water::exchanges_per_step(&self.model.settings)
         } else {
             0
         };
-        1 + usize::from(maps_again) + usize::from(self.has_separate_p2g()) + of_water
+        mappings * (1 + usize::from(settles)) + usize::from(self.has_separate_p2g()) + of_water
     }
 }

@@ -144,17 +144,17 @@ impl Cycle {
         let mut forces = vec![];
         for one in self.interactions() {
             let mut words = vec![0];
+            // Each rank knows all forces of what acts across ranks.
+            let knows_all = one.settles_across_ranks();
             one.nodal_forces(&self.work.grid, &mut |one| {
+                if knows_all && !self.owns(one.node) {
+                    return;
+                }
                 words[0] += 1;
                 let [x, y, z] = one.force;
                 words.extend([one.body as u64, one.node as u64]);
                 words.extend([x, y, z, one.gap].map(f64::to_bits));
             });
-            if one.settles_across_ranks() {
-                // Each rank knows them all.
-                unpack_nodal_forces(&mut Words::of(&words), &mut forces);
-                continue;
-            }
             for words in ranks.all_gather(&words) {
                 unpack_nodal_forces(&mut Words::of(&words), &mut forces);
             }
