@@ -8,7 +8,7 @@ fn the_page_of_ranks_names_what_they_refuse() {
     let page = text_of("docs/src/howto/ranks.md").replace('\n', " ");
     let (_, limits) = page.split_once("Refused by name: ").expect("a sentence");
     let (sentence, _) = limits
-        .split_once(" (`Interaction::not_local`).")
+        .split_once(", unless they are local (`Condition::not_local`, `Interaction::not_local`).")
         .expect("its end");
     let (named, _) = sentence
         .split_once(", and its own interactions")

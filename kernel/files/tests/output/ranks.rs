@@ -4,7 +4,9 @@ use proctor_files::json::read;
 use proctor_files::run::{Run, RunControl};
 use proctor_kernel::ranks::{Ranks, of_threads};
 use proctor_scene::simulation::Options;
-use proctor_scene::{BoxLoad, Field, NodalField, Probe, ProbeTarget, ProbedQuantity, Scene};
+use proctor_scene::{
+    BoxLoad, Field, NodalField, PlaneCondition, Probe, ProbeTarget, ProbedQuantity, Scene, Shape,
+};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -12,8 +14,13 @@ use std::sync::Arc;
 
 /// A dam on a moving base with all outputs: frames of particles and nodes, histories with probes, checkpoints.
 fn scene() -> Scene {
-    let path = Path::new("../../fixtures/scenes/shaken_base_2d.json");
-    let mut scene = read(path).unwrap_or_else(|error| panic!("{error}"));
+    with_outputs("shaken_base_2d")
+}
+
+/// A scene with all outputs.
+fn with_outputs(name: &str) -> Scene {
+    let path = format!("../../fixtures/scenes/{name}.json");
+    let mut scene = read(Path::new(&path)).unwrap_or_else(|error| panic!("{error}"));
     scene.time = 0.06;
     scene.results.print = 3;
     scene.results.checkpoint = true;
@@ -23,7 +30,11 @@ fn scene() -> Scene {
         Field::Stress,
         Field::Displacement,
     ];
-    scene.results.nodal_fields = vec![NodalField::Mass, NodalField::Velocity];
+    let mut fields = vec![NodalField::Mass, NodalField::Velocity];
+    if !scene.contacts.is_empty() {
+        fields.extend([NodalField::ContactForce, NodalField::ContactGap]);
+    }
+    scene.results.nodal_fields = fields;
     let body = scene.bodies[0].id;
     let probe = |name: &str, target| Probe {
         name: name.to_owned(),
@@ -40,6 +51,26 @@ fn scene() -> Scene {
             },
         ),
     ];
+    scene
+}
+
+/// Level ground between absorbing sides, through whose absorbing base the motion of the record comes in.
+fn ground() -> Scene {
+    let mut scene = scene();
+    scene.bodies[0].shape = Shape::Cuboid {
+        p1: [0.0; 3],
+        p2: [10.0, 4.0, 0.0],
+    };
+    scene.mesh.planes[0] = [PlaneCondition::Absorbing; 2];
+    scene.mesh.planes[1][0] = PlaneCondition::Absorbing;
+    scene.ground_beyond.incoming = scene.base_motion.take();
+    scene
+}
+
+/// A block on a plate that moves as prescribed, and acts by its shape.
+fn on_a_plate() -> Scene {
+    let mut scene = with_outputs("sliding_block_2d");
+    scene.bodies[0].motion = Some([1.0, 0.1, 0.0].into());
     scene
 }
 
@@ -122,40 +153,42 @@ fn one_process(scene: &Scene, folder: &Path) -> u64 {
 
 #[test]
 fn ranks_write_the_files_of_one_process() {
-    let scene = scene();
-    let alone = tempfile::tempdir().unwrap();
-    let hash = one_process(&scene, alone.path());
-    assert!(
-        files(alone.path()).len() > 10,
-        "{:?}",
-        files(alone.path()).keys()
-    );
-    for count in [2, 3] {
-        let shared = tempfile::tempdir().unwrap();
-        assert_eq!(run_on(count, false, &scene, shared.path(), (None, 9)), hash);
-        assert_same(shared.path(), alone.path(), &format!("{count} ranks"));
+    for scene in [scene(), ground(), on_a_plate()] {
+        let alone = tempfile::tempdir().unwrap();
+        let hash = one_process(&scene, alone.path());
+        assert!(
+            files(alone.path()).len() > 10,
+            "{:?}",
+            files(alone.path()).keys()
+        );
+        for count in [2, 3] {
+            let shared = tempfile::tempdir().unwrap();
+            assert_eq!(run_on(count, false, &scene, shared.path(), (None, 9)), hash);
+            assert_same(shared.path(), alone.path(), &format!("{count} ranks"));
+        }
     }
 }
 
 /// A run on two ranks that ends early goes on on three, and on one process; one of one process on two.
 #[test]
 fn any_number_of_ranks_goes_on() {
-    let scene = scene();
-    let alone = tempfile::tempdir().unwrap();
-    let hash = one_process(&scene, alone.path());
-    for (before, after) in [(2, 3), (2, 1), (1, 2)] {
-        let shared = tempfile::tempdir().unwrap();
-        let checkpoint = shared.path().join("checkpoint.bin");
-        let on = |count: usize, how: (Option<&Path>, usize)| {
-            run_on(count, false, &scene, shared.path(), how)
-        };
-        assert_ne!(on(before, (None, 2)), hash);
-        assert_eq!(on(after, (Some(&checkpoint), 9)), hash);
-        assert_same(
-            shared.path(),
-            alone.path(),
-            &format!("{before}, then {after}"),
-        );
+    for scene in [scene(), ground(), on_a_plate()] {
+        let alone = tempfile::tempdir().unwrap();
+        let hash = one_process(&scene, alone.path());
+        for (before, after) in [(2, 3), (2, 1), (1, 2)] {
+            let shared = tempfile::tempdir().unwrap();
+            let checkpoint = shared.path().join("checkpoint.bin");
+            let on = |count: usize, how: (Option<&Path>, usize)| {
+                run_on(count, false, &scene, shared.path(), how)
+            };
+            assert_ne!(on(before, (None, 2)), hash);
+            assert_eq!(on(after, (Some(&checkpoint), 9)), hash);
+            assert_same(
+                shared.path(),
+                alone.path(),
+                &format!("{before}, then {after}"),
+            );
+        }
     }
 }
 
