@@ -46,7 +46,7 @@ fn rising() -> History {
     }
 }
 
-/// What does not touch the plate at first is rough, and moves along it.
+/// Rough velocities along the plate; the block at its end rests.
 fn along(scene: &Scene) -> InitialField {
     let rough = rough_drift(scene.dimension, [8.0, 0.0, 0.0], 0.1, 1.0, 3);
     Arc::new(move |x| {

@@ -61,6 +61,11 @@ impl FarBoundary {
 }
 
 impl Condition for FarBoundary {
+    /// Each node has a displacement of its own.
+    fn not_local(&self) -> Option<&'static str> {
+        None
+    }
+
     fn after(&self, field: &mut FieldNodes<'_, '_>) {
         self.prescribe(field);
     }
