@@ -15,6 +15,8 @@ pub struct PressedPlane {
     pub axis: usize,
     /// 0 the lower, 1 the upper plane.
     pub side: usize,
+    /// True where the surface of the ground is found beside the plane: the skeleton ends freely there, in domains that it fills.
+    pub finds_surface: bool,
     /// Pressure.
     pub pressure: NodalPressure,
 }
@@ -38,7 +40,7 @@ pub enum NodalPressure {
 impl NodalPressure {
     /// Pressure at a node \[Pa\], by its storage indices.
     #[inline]
-    fn at(&self, shape: &GridShape, at: [usize; 3]) -> f64 {
+    pub(crate) fn at(&self, shape: &GridShape, at: [usize; 3]) -> f64 {
         match *self {
             Self::Uniform(pressure) => pressure,
             Self::Rest {
@@ -50,22 +52,5 @@ impl NodalPressure {
                 (slope * (layer * shape.cell[along] - level)).max(0.0)
             }
         }
-    }
-}
-
-impl PressedPlane {
-    /// Force along the axis with which the pressure pushes into a node \[N\], by its storage indices and the volume around it
-    /// \[m³\], which fills half a cell; `None` for a node beside the plane.
-    #[must_use]
-    #[inline]
-    pub(crate) fn force(&self, shape: &GridShape, at: [usize; 3], volume: f64) -> Option<f64> {
-        let (plane, inwards) = if self.side == 0 {
-            (GHOSTS_BELOW, 1.0)
-        } else {
-            (GHOSTS_BELOW + shape.cells[self.axis], -1.0)
-        };
-        let is_there = at[shape.direction(self.axis)] == plane;
-        is_there
-            .then(|| inwards * self.pressure.at(shape, at) * (2.0 * volume / shape.cell[self.axis]))
     }
 }

@@ -6,8 +6,8 @@ use proctor_kernel::layout::Layout;
 use proctor_scene::plan::{PlanOptions, plan};
 use proctor_scene::simulation::{InitialState, Simulation};
 use proctor_scene::{
-    DomainUpdate, History, InitialPressure, PlaneCondition, PlanePressure, Scene, StressScheme,
-    Traction, Vector, Weighting,
+    DomainUpdate, History, InitialPressure, ParticleSeed, PlaneCondition, PlanePressure, Scene,
+    Shape, StressScheme, Traction, Vector, Weighting,
 };
 use std::sync::Arc;
 
@@ -67,6 +67,60 @@ fn the_pressure_that_is_given_rests() {
                 (pressure / GIVEN - 1.0).abs() < 1e-9,
                 "free {free}: {pressure}"
             );
+        }
+    }
+}
+
+/// Ground whose upper end lies beyond a plane with a given pressure by a share of a cell, and whose lower one ends as far before the
+/// opposite plane, rests under the pressure that it has: the area that the water pushes is that of the ground.
+#[test]
+fn the_pressure_rests_on_ground_that_ends_beside_the_plane() {
+    let h = 1.0 / CELLS as f64;
+    let follows = Weighting::ContiguousGimp(DomainUpdate::Stretch);
+    for weighting in [Weighting::UniformGimp, follows] {
+        for share in [1.0 / 7.0, 0.2] {
+            let mut scene = under_pressure(1e-3);
+            scene.weighting = weighting;
+            scene.mesh.cells[1] = CELLS;
+            scene.mesh.planes[1] = [PlaneCondition::Free; 2];
+            scene.water_planes[1] = [PlaneCondition::Free; 2];
+            scene.water_pressures[1] = [(); 2].map(|()| Some(PlanePressure::Uniform(GIVEN)));
+            scene.initial_pressures = vec![InitialPressure::Material {
+                id: 1,
+                pressure: GIVEN,
+            }];
+            let places = (0..2).flat_map(|i| (0..2 * CELLS).map(move |j| [i, j]));
+            let seeds = places.map(|[i, j]| {
+                let [x, y] = [i, j].map(|k| 0.5 * h * (k as f64 + 0.5));
+                ParticleSeed {
+                    position: [x, y + share * h, 0.0],
+                    volume: 0.25 * h * h,
+                }
+            });
+            scene.bodies = vec![body(1, Shape::Particles(Arc::new(seeds.collect())))];
+            scene.bodies[0].particles_per_cell = [2, 2, 1];
+            // The total traction is that of the water, at the nodes where the ground ends.
+            let traction = |y: f64, pressure: f64| Traction {
+                p1: [0.0, y, 0.0],
+                p2: [h, y, 0.0],
+                traction: History::from([0.0, pressure, 0.0]),
+            };
+            scene.tractions = vec![
+                traction(1.0, -GIVEN),
+                traction(0.0, (1.0 - share) * GIVEN),
+                traction(h, share * GIVEN),
+            ];
+            let mut simulation = simulation(&scene);
+            run(&mut simulation, 200);
+            for p in 0..simulation.sets()[0].len() {
+                let (w, v, pressure) = state(&simulation, p);
+                assert!(
+                    w.abs() < 1e-9 && v.abs() < 1e-9,
+                    "{weighting:?} {share}: {w:e} {v:e}"
+                );
+                let off = (pressure / GIVEN - 1.0).abs();
+                assert!(off < 1e-6, "{weighting:?} {share}: {off:e}");
+            }
         }
     }
 }

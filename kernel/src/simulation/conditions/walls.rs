@@ -4,7 +4,7 @@
 
 use super::{ConditionResult, ConditionType};
 use crate::grid::GridShape;
-use crate::model::{CycleSettings, PlaneCondition, PlanePressure};
+use crate::model::{CycleSettings, PlaneCondition, PlanePressure, Weighting};
 use crate::simulation::context::{Condition, FieldNodes, NodalConditions, Remap};
 use crate::simulation::history::value;
 use crate::simulation::step_view::StepView;
@@ -26,6 +26,8 @@ struct GivenPressure {
     axis: usize,
     side: usize,
     pressure: PlanePressure,
+    /// [`PressedPlane::finds_surface`].
+    finds_surface: bool,
     /// Axis that levels are coordinates along, the lower boundary of the mesh there \[m\], and the weight of the water along it
     /// \[N/m³\].
     weight: (usize, f64, f64),
@@ -48,6 +50,7 @@ impl GivenPressure {
         PressedPlane {
             axis: self.axis,
             side: self.side,
+            finds_surface: self.finds_surface,
             pressure,
         }
     }
@@ -101,12 +104,14 @@ fn pressed_planes(settings: &CycleSettings, shape: &GridShape) -> Vec<GivenPress
     let steepest = |a: &usize, b: &usize| gravity[*a].abs().total_cmp(&gravity[*b].abs());
     let along = (0..shape.axes).max_by(steepest).unwrap_or(0);
     let weight = settings.water_density * gravity[along];
+    let fills = settings.weighting != Weighting::QuadraticBSpline;
     let sides = (0..shape.axes).flat_map(|axis| [(axis, 0), (axis, 1)]);
     let given = sides.filter_map(|(axis, side)| {
         Some(GivenPressure {
             axis,
             side,
             pressure: settings.water_pressures[axis][side].clone()?,
+            finds_surface: fills && settings.mesh.planes[axis][side] == PlaneCondition::Free,
             weight: (along, settings.mesh.origin[along], weight),
         })
     });

@@ -15,6 +15,7 @@ mod gather;
 mod measure;
 mod nodes;
 mod open;
+mod pressed;
 
 pub(super) use gather::exchanges_per_step;
 pub(super) use measure::work_of_held_pressure;

@@ -1,5 +1,6 @@
 //! Pore water at the nodes: the pressure shared out between water and skeleton, and the drag between both.
 
+use super::pressed::each_pressed;
 use crate::grid::{GHOSTS_BELOW, GridShape, Line};
 use crate::model::PoreWater;
 use crate::simulation::context::StepContext;
@@ -15,21 +16,19 @@ pub(in crate::simulation) fn split(slab: &mut Slab<'_>, context: &StepContext<'_
         return;
     };
     fold_drag(slab, context);
-    let (shape, pressed) = (slab.shape(), &context.nodal.water_pressures);
-    let axes = shape.axes;
-    for_both(slab, |node, skeleton, flow| {
+    let axes = slab.shape().axes;
+    for_both(slab, |_, skeleton, flow| {
         let n = porosity(&water, skeleton, flow);
         for lane in 4..4 + axes {
             let force = flow[lane];
             flow[lane] = n * force;
             skeleton[lane] += (1.0 - n) * force;
         }
-        for plane in pressed {
-            if let Some(force) = plane.force(shape, node.at, volume(&water, skeleton, flow)) {
-                flow[4 + plane.axis] += n * force;
-                skeleton[4 + plane.axis] -= n * force;
-            }
-        }
+    });
+    each_pressed(slab, context, |node, skeleton, flow| {
+        let force = porosity(&water, skeleton, flow) * node.force;
+        flow[4 + node.axis] += force;
+        skeleton[4 + node.axis] -= force;
     });
 }
 
@@ -61,7 +60,6 @@ fn drag_along<const D: usize>(
     let (kick, gravity) = (context.nodal.kick, context.nodal.gravity);
     let ratios = water.drag_ratios();
     let edges = [Owner::Phase, Owner::Water].map(|owner| Edges::of(context.walls_of(owner), shape));
-    let pressed = &context.nodal.water_pressures;
     for_both(slab, |node, skeleton, flow| {
         let b = flow[SPARE];
         flow[SPARE] = porosity(&water, skeleton, flow);
@@ -103,12 +101,13 @@ fn drag_along<const D: usize>(
         sums.drag += taken;
         let weight = |axis: usize| gravity[axis] * flow[1 + axis];
         sums.power += flow[0] * (0..D).map(weight).sum::<f64>();
-        for plane in pressed {
-            if let Some(force) = plane.force(shape, node.at, volume(&water, skeleton, flow)) {
-                let seeping = flow[1 + plane.axis] - skeleton[1 + plane.axis];
-                sums.power += flow[SPARE] * force * seeping;
-            }
+    });
+    each_pressed(slab, context, |node, skeleton, flow| {
+        if edges.iter().any(|edges| edges.at(node.at) & GHOST != 0) {
+            return;
         }
+        let seeping = flow[1 + node.axis] - skeleton[1 + node.axis];
+        sums[node.at[0] - first].power += flow[SPARE] * node.force * seeping;
     });
 }
 
@@ -207,7 +206,7 @@ pub(super) fn hand_over(slab: &mut Slab<'_>, share: f64, lane: Option<usize>) {
 }
 
 /// Volume of water and grains around a node \[m³\].
-fn volume(water: &PoreWater, skeleton: &Line, flow: &Line) -> f64 {
+pub(super) fn volume(water: &PoreWater, skeleton: &Line, flow: &Line) -> f64 {
     flow[0] / water.density + skeleton[0] / water.grain_density
 }
 
@@ -235,7 +234,7 @@ fn porosity(water: &PoreWater, skeleton: &Line, flow: &Line) -> f64 {
 }
 
 /// The constants that all waters of a scene share, where the slab has water: densities and ratios of conductivity.
-fn constants(slab: &Slab<'_>, context: &StepContext<'_>) -> Option<PoreWater> {
+pub(super) fn constants(slab: &Slab<'_>, context: &StepContext<'_>) -> Option<PoreWater> {
     let water = slab
         .fields
         .last()
