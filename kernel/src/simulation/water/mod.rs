@@ -15,6 +15,7 @@ mod gather;
 mod measure;
 mod nodes;
 mod open;
+mod phases;
 mod pressed;
 
 pub(super) use gather::exchanges_per_step;

@@ -1,8 +1,8 @@
 //! Pore water at the nodes: the pressure shared out between water and skeleton, and the drag between both.
 
+use super::phases::{constants, porosity};
 use super::pressed::each_pressed;
 use crate::grid::{GHOSTS_BELOW, GridShape, Line};
-use crate::model::PoreWater;
 use crate::simulation::context::StepContext;
 use crate::simulation::fields::{Owner, Slab};
 use crate::stage::solve::{PlaneSums, Wall};
@@ -205,11 +205,6 @@ pub(super) fn hand_over(slab: &mut Slab<'_>, share: f64, lane: Option<usize>) {
     });
 }
 
-/// Volume of water and grains around a node \[m³\].
-pub(super) fn volume(water: &PoreWater, skeleton: &Line, flow: &Line) -> f64 {
-    flow[0] / water.density + skeleton[0] / water.grain_density
-}
-
 /// Porosity of a node of a slab, by its index in the grid, where both phases have mass.
 pub(in crate::simulation) fn porosity_at(
     slab: &Slab<'_>,
@@ -225,22 +220,6 @@ pub(in crate::simulation) fn porosity_at(
     });
     let (skeleton, flow) = (skeleton?, flow?);
     (skeleton[0] > 0.0 && flow[0] > 0.0).then(|| porosity(&water, skeleton, flow))
-}
-
-/// Porosity of a node, from the masses of water and grains there: a mean over its particles.
-fn porosity(water: &PoreWater, skeleton: &Line, flow: &Line) -> f64 {
-    let pores = flow[0] / water.density;
-    pores / (pores + skeleton[0] / water.grain_density)
-}
-
-/// The constants that all waters of a scene share, where the slab has water: densities and ratios of conductivity.
-pub(super) fn constants(slab: &Slab<'_>, context: &StepContext<'_>) -> Option<PoreWater> {
-    let water = slab
-        .fields
-        .last()
-        .filter(|field| field.owner == Owner::Water);
-    water?;
-    context.mapping.bodies.iter().find_map(|body| body.water)
 }
 
 /// A node of both fields.

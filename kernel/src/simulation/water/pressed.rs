@@ -11,7 +11,7 @@
 //!
 //! Elsewhere, and for splines, whose domains overlap, the ground ends at the plane: V_0 = A h/2.
 
-use super::nodes::{constants, volume};
+use super::phases::{constants, volume};
 use crate::grid::Line;
 use crate::simulation::context::StepContext;
 use crate::simulation::fields::{Slab, SlabField};
