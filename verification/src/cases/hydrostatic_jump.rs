@@ -1,6 +1,6 @@
 //! Does water at rest stay at rest where the porosity of the ground jumps?
 //!
-//! Source: hydrostatics. A column with a porosity of 0.3 below and 0.5 above, both phases under their weight, begins
+//! Source: hydrostatics. A column of 1 m with a porosity of 0.3 below and 0.5 above, both phases under their weight, begins
 //! with the pressure of water at rest and the effective stress of the buoyant weight. Nothing may move: a method that
 //! maps the pressure with the porosity of particles is off by a seventh of the pressure at once, and its water flows
 //! for ever.

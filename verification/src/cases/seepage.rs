@@ -1,9 +1,9 @@
 //! Does water that seeps down through soil flow at the rate of Darcy, and hang its weight on the skeleton?
 //!
-//! Source: Darcy's law; Skempton and DeLory 1957 have it along a slope. A column drained at both ends under its weight:
-//! the water has no pressure anywhere, seeps down with k g/`g_k` and drags the skeleton, which so bears the weight of
-//! both. It begins with that stress and with water at rest. The gravity of the scene is half of that with which the
-//! conductivity was measured.
+//! Source: Darcy's law; Skempton and DeLory 1957 have it along a slope. A column of 1 m with a porosity of 0.4, drained at
+//! both ends, under its weight: the water has no pressure anywhere, seeps down with k g/`g_k` and drags the skeleton, which so
+//! bears the weight of both. It begins with that stress and with water at rest. The gravity of the scene is half of that with
+//! which the conductivity was measured.
 //!
 //! Expected: exact on every mesh once the start has died away. `proctor verify seepage`.
 
