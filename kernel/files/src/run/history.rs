@@ -53,9 +53,11 @@ impl HistoryRows {
         if has_drift(simulation) {
             names.extend(DRIFT.map(str::to_owned));
         }
-        for (set, _) in simulation.yielding() {
-            let body = simulation.body(set).id;
-            names.extend(YIELDING.map(|channel| format!("body{body}_energy_{channel}")));
+        // Of ranks the first one alone asks for names: no value, which all of them sum up.
+        let bodies = simulation.model().bodies.iter();
+        for body in bodies.filter(|body| body.law.yields()) {
+            let id = body.id;
+            names.extend(YIELDING.map(|channel| format!("body{id}_energy_{channel}")));
         }
         names
     }

@@ -3,6 +3,7 @@
 use proctor_files::json::read;
 use proctor_files::run::{Run, RunControl};
 use proctor_kernel::ranks::{Ranks, of_threads};
+use proctor_laws::VonMises;
 use proctor_scene::simulation::Options;
 use proctor_scene::{
     BoxLoad, Field, NodalField, PlaneCondition, Probe, ProbeTarget, ProbedQuantity, Scene, Shape,
@@ -67,9 +68,10 @@ fn ground() -> Scene {
     scene
 }
 
-/// A block on a plate that moves as prescribed, and acts by its shape.
+/// A block that yields, on a plate that moves as prescribed and acts by its shape. The history has the energies of bodies that yield.
 fn on_a_plate() -> Scene {
     let mut scene = with_outputs("sliding_block_2d");
+    scene.materials[0].law = VonMises::new(1e6, 0.3, 2e2, 1e4).into();
     scene.bodies[0].motion = Some([1.0, 0.1, 0.0].into());
     scene
 }
