@@ -4,7 +4,7 @@ use super::harness::{drifting, measures, step, strip};
 use super::threads::{self, Thread};
 use crate::common::{DIMENSIONS, SCHEMES, options};
 use proctor_kernel::ranks::Ranks;
-use proctor_kernel::simulation::SharingRefusal;
+use proctor_kernel::simulation::{NOT_LOCAL, SharingRefusal};
 use proctor_scene::prelude::*;
 use std::sync::Arc;
 
@@ -48,12 +48,17 @@ impl Condition for Layer {
     }
 }
 
-fn start(scene: &Scene, is_local: bool) -> Simulation {
+/// Does nothing, and says nothing of ranks.
+struct Silent;
+
+impl Condition for Silent {}
+
+fn start(scene: &Scene, condition: Arc<dyn Condition>) -> Simulation {
     let options = Options {
         threads: Some(1),
         least_share: Some(1),
         initial: Some(drifting(scene, 8.0)),
-        conditions: vec![Arc::new(Layer { is_local })],
+        conditions: vec![condition],
         ..options()
     };
     Simulation::new(scene, &options).expect("the scene is sound")
@@ -69,7 +74,7 @@ fn ranks_share_a_local_condition() {
                 scene
             };
             let run = |rank: Option<Thread>| {
-                let mut simulation = start(scene, true);
+                let mut simulation = start(scene, Arc::new(Layer { is_local: true }));
                 if let Some(rank) = rank {
                     let shared = simulation.share_among(Arc::new(rank));
                     shared.expect("the condition is local");
@@ -98,9 +103,14 @@ fn ranks_share_a_local_condition() {
 
 #[test]
 fn a_condition_that_is_not_local_is_refused() {
-    let rank: Arc<dyn Ranks> = Arc::new(threads::ranks(2, None).swap_remove(0));
-    let mut simulation = start(&strip(Dimension::Two), false);
-    let refused = simulation.share_among(rank).expect_err("not local");
-    let part = "a layer of its own";
-    assert_eq!(refused, SharingRefusal::Part { part });
+    let own: [(Arc<dyn Condition>, &str); 2] = [
+        (Arc::new(Layer { is_local: false }), "a layer of its own"),
+        (Arc::new(Silent), NOT_LOCAL[0]),
+    ];
+    for (condition, part) in own {
+        let rank: Arc<dyn Ranks> = Arc::new(threads::ranks(2, None).swap_remove(0));
+        let mut simulation = start(&strip(Dimension::Two), condition);
+        let refused = simulation.share_among(rank).expect_err("not local");
+        assert_eq!(refused, SharingRefusal::Part { part });
+    }
 }
