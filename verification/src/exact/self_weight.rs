@@ -94,6 +94,19 @@ impl SelfWeightColumn {
         (self.work(self.stretch(y0)) - self.work(self.stretch(0.0))) / (self.density * self.gravity)
     }
 
+    /// Displacement, m, of the material of the initial height `y0` (m).
+    #[must_use]
+    pub fn displacement(&self, y0: f64) -> [f64; 3] {
+        [0.0, self.position(y0) - y0, 0.0]
+    }
+
+    /// Cauchy stress, Pa, there: xx, yy, zz and no shear.
+    #[must_use]
+    pub fn stress(&self, y0: f64) -> [f64; 6] {
+        let lateral = self.lateral_stress(y0);
+        [lateral, self.vertical_stress(y0), lateral, 0.0, 0.0, 0.0]
+    }
+
     /// Antiderivative of `F dP` over F, Pa.
     fn work(&self, f: f64) -> f64 {
         let m = self.confined_modulus();
