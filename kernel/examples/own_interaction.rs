@@ -37,7 +37,7 @@ impl Interaction for Drag {
 }
 
 impl SlabInteraction for &Drag {
-    fn correct(&mut self, slab: &mut Slab<'_>, context: &StepContext<'_>, _: &mut [PlaneSums]) {
+    fn correct(&mut self, slab: &mut Slab<'_>, context: &StepContext<'_>, _: &mut ExactStepSums) {
         // Exact for any step: the share of the relative velocity that is lost in the time over which velocities change.
         let lost = 1.0 - (-self.rate * context.nodal().kick).exp();
         slab.for_each_shared(self.bodies, context, |[a, b]| {

@@ -20,7 +20,7 @@ use crate::particles::ParticleSet;
 use crate::simulation::context::NodalConditions;
 use crate::simulation::measure::kinetic_energy_of;
 use crate::simulation::values::{Drift, Energy, Groups, StepError};
-use crate::stage::solve::{PlaneSums, Wall, is_ghost};
+use crate::stage::solve::{StepSums, Wall, is_ghost};
 use std::ops::Range;
 
 /// Cells that particles may have travelled since the last sort for the nodes in use to hold what they map.
@@ -34,7 +34,7 @@ struct HalfStep {
     /// Energy that interactions store at the present positions \[J\].
     stored: f64,
     /// Energy that damping and contact take.
-    sums: PlaneSums,
+    sums: StepSums,
 }
 
 impl Cycle {
@@ -212,7 +212,7 @@ impl Cycle {
 pub(super) struct NodalSnapshot {
     interactions: Interactions,
     groups: Groups,
-    sums: PlaneSums,
+    sums: StepSums,
     phase_timer: PhaseTimer,
     /// Rows in use, field by field, where ranks share the simulation: messages of a neighbour widen them.
     rows: Option<Vec<ActiveRows>>,

@@ -10,7 +10,7 @@ use crate::simulation::model::Model;
 use crate::simulation::step_view::{StepUpdate, StepView};
 use crate::simulation::values::{Drift, State, StepError, StepErrorKind};
 use crate::simulation::work_state::WorkState;
-use crate::stage::solve::PlaneSums;
+use crate::stage::solve::StepSums;
 use std::any::Any;
 
 impl<'a> StepView<'a> {
@@ -44,7 +44,7 @@ impl<'a> StepUpdate<'a> {
         model: &'a Model,
         state: &'a mut State,
         grid: &'a mut Grid,
-        sums: &'a mut PlaneSums,
+        sums: &'a mut StepSums,
         share: Option<&'a Share>,
     ) -> Self {
         Self {
@@ -199,7 +199,7 @@ impl Cycle {
             .sum::<Result<usize, _>>();
         let touching = touching.map_err(|error| self.error(StepErrorKind::Interaction(error)))?;
         if settles {
-            self.add_sums_of_planes(nodal);
+            self.add_settled_sums(nodal);
         }
         Ok(touching)
     }

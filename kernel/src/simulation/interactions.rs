@@ -9,7 +9,7 @@ use crate::simulation::context::{NodalConditions, Remap, StepContext, VelocityMa
 use crate::simulation::fields::{Grid, Slab};
 use crate::simulation::step_view::{StepUpdate, StepView};
 use crate::simulation::values::{Drift, InteractionError, NodalForce, SavedArrays, SetupError};
-use crate::stage::solve::PlaneSums;
+use crate::stage::solve::ExactStepSums;
 use smallvec::SmallVec;
 use std::any::Any;
 
@@ -194,8 +194,8 @@ pub trait SlabInteraction: Send {
     /// The masses of all fields are there.
     fn mapped(&mut self, _slab: &mut Slab<'_>, _now: &StepContext<'_>) {}
 
-    /// Corrects the trial velocities and their increments; adds power \[W\] to the sums of the planes.
-    fn correct(&mut self, slab: &mut Slab<'_>, context: &StepContext<'_>, sums: &mut [PlaneSums]);
+    /// Corrects the trial velocities and their increments; adds power \[W\] to the sums.
+    fn correct(&mut self, slab: &mut Slab<'_>, context: &StepContext<'_>, sums: &mut ExactStepSums);
 
     /// Corrects velocities that were mapped again, from which strain is taken.
     fn correct_remapped(&mut self, _slab: &mut Slab<'_>, _now: &StepContext<'_>) {}
@@ -213,7 +213,7 @@ pub trait SharedSlabInteraction: Sync {
         own: &mut SlabMemory<'_>,
         slab: &mut Slab<'_>,
         context: &StepContext<'_>,
-        sums: &mut [PlaneSums],
+        sums: &mut ExactStepSums,
     );
 
     /// See [`SlabInteraction::correct_remapped`].
@@ -261,7 +261,7 @@ impl SlabInteraction for SharedPart<'_> {
         self.action.mapped(&mut self.own, slab, context);
     }
 
-    fn correct(&mut self, slab: &mut Slab<'_>, context: &StepContext<'_>, sums: &mut [PlaneSums]) {
+    fn correct(&mut self, slab: &mut Slab<'_>, context: &StepContext<'_>, sums: &mut ExactStepSums) {
         self.action.correct(&mut self.own, slab, context, sums);
     }
 

@@ -39,7 +39,7 @@ mod water;
 mod work_state;
 
 pub use crate::grid::{GridShape, Line};
-pub use crate::stage::solve::{DashpotNode, EmptyNode, PlaneSums, Planes};
+pub use crate::stage::solve::{DashpotNode, EmptyNode, ExactStepSums, StepSum, StepSums, Planes};
 pub use conditions::{describe as describe_conditions, nodes_of_traction, of as conditions};
 pub use context::{
     Condition, FieldNodes, NOT_LOCAL, NodalConditions, Node, Remap, StepContext, VelocityMapping,

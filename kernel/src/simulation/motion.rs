@@ -7,7 +7,7 @@ use super::water;
 use crate::grid::Line;
 use crate::model::Vector;
 use crate::simulation::context::{FieldNodes, Remap, StepContext, at_half_step_after};
-use crate::stage::solve::{Acceleration, EmptyNode, PlaneSums, Planes, Wall};
+use crate::stage::solve::{Acceleration, EmptyNode, ExactStepSums, Planes, Wall};
 
 /// The interactions on one slab, with the timer of the phases where a visit is of one slab alone.
 pub(super) struct SlabInteractions<'v, 'a> {
@@ -43,44 +43,29 @@ impl SlabInteractions<'_, '_> {
     }
 }
 
-/// Sums of the planes of a slab, and of one field while they are formed.
-#[derive(Debug, Default)]
-pub(super) struct SlabSums {
-    pub(super) planes: Vec<PlaneSums>,
-    of_field: Vec<PlaneSums>,
-}
-
-impl SlabSums {
-    /// Begins with so many planes, all zero.
-    fn begin(&mut self, planes: usize) {
-        self.planes.clear();
-        self.planes.resize(planes, PlaneSums::default());
-    }
-}
-
-/// From mapped sums to velocities that keep to the conditions and to each other; the sums of each plane.
+/// From mapped sums to velocities that keep to the conditions and to each other, with the sums over the nodes of the slab.
 pub(super) fn solve(
     slab: &mut Slab<'_>,
     mut interactions: SlabInteractions<'_, '_>,
     context: &StepContext<'_>,
-    sums: &mut SlabSums,
+    sums: &mut ExactStepSums,
 ) -> Result<(), EmptyNode> {
     let amid = Phase::P2gAndSolve;
     water::split(slab, context);
     interactions.act(amid, |part| part.mapped(slab, context));
-    sums.begin(slab.range().len());
+    sums.clear();
     for number in 0..slab.fields.len() {
         equation_of_motion(&mut FieldNodes {
             slab,
             number,
             context,
-            sums: &mut sums.planes,
+            sums,
         })?;
     }
     interactions.act(amid, |part| {
-        part.correct(slab, context, &mut sums.planes);
+        part.correct(slab, context, sums);
     });
-    water::drag(slab, context, &mut sums.planes);
+    water::drag(slab, context, sums);
     unfold(slab, context, true);
     water::share_beyond(slab, context);
     if !context.settles {
@@ -119,10 +104,10 @@ fn equation_of_motion(field: &mut FieldNodes<'_, '_>) -> Result<(), EmptyNode> {
     Ok(())
 }
 
-/// Ghost nodes of all fields, and the sums of each plane with the velocities that they hold.
-pub(super) fn sums_after(slab: &mut Slab<'_>, context: &StepContext<'_>, sums: &mut SlabSums) {
+/// Ghost nodes of all fields, and the sums with the velocities that they hold.
+pub(super) fn sums_after(slab: &mut Slab<'_>, context: &StepContext<'_>, sums: &mut ExactStepSums) {
     unfold(slab, context, true);
-    sums.begin(slab.range().len());
+    sums.clear();
     add_sums(slab, context, sums);
 }
 
@@ -142,35 +127,23 @@ fn unfold(slab: &mut Slab<'_>, context: &StepContext<'_>, increments: bool) {
     }
 }
 
-/// Adds the sums of all fields whose motion is not prescribed to those of the planes.
-fn add_sums(
-    slab: &mut Slab<'_>,
-    context: &StepContext<'_>,
-    SlabSums {
-        planes: sums,
-        of_field,
-    }: &mut SlabSums,
-) {
+/// Adds the sums of all fields whose motion is not prescribed.
+fn add_sums(slab: &mut Slab<'_>, context: &StepContext<'_>, sums: &mut ExactStepSums) {
     for number in 0..slab.fields.len() {
         if context.prescribed(slab.fields[number].owner).is_some() {
             continue;
         }
-        of_field.clear();
-        of_field.resize(sums.len(), PlaneSums::default());
         if context.measure {
             let planes = &slab.fields[number].planes;
-            planes.measure(context.nodal.kick, of_field);
+            planes.measure(context.nodal.kick, sums);
         }
         for condition in context.conditions_of(slab.fields[number].owner) {
             condition.settled(&mut FieldNodes {
                 slab,
                 number,
                 context,
-                sums: of_field,
+                sums,
             });
-        }
-        for (sums, own) in sums.iter_mut().zip(&*of_field) {
-            *sums += own;
         }
     }
 }
@@ -235,14 +208,13 @@ pub(super) fn solve_mapped(
 /// Conditions on the velocities of a field that were mapped a second time.
 fn remap_conditions(slab: &mut Slab<'_>, number: usize, context: &StepContext<'_>) {
     let owner = slab.fields[number].owner;
-    let mut field = FieldNodes {
-        slab,
-        number,
-        context,
-        sums: &mut [],
-    };
     for condition in context.conditions_of(owner) {
-        condition.remap(&mut field);
+        condition.remap(&mut FieldNodes {
+            slab,
+            number,
+            context,
+            sums: &mut ExactStepSums::default(),
+        });
     }
 }
 
@@ -260,15 +232,6 @@ fn prescribe(planes: &mut Planes<'_>, [before, after]: &[Vector; 2], walls: &[Wa
 /// Calls `act` for every node in use that has mass.
 fn for_masses(planes: &mut Planes<'_>, act: impl Fn(&mut Line)) {
     planes.for_rows(|row| row.iter_mut().filter(|line| line[0] > 0.0).for_each(&act));
-}
-
-/// Adds up plane after plane, so that the slabs do not matter.
-pub(super) fn total<'a>(planes: impl IntoIterator<Item = &'a PlaneSums>) -> PlaneSums {
-    let mut total = PlaneSums::default();
-    for plane in planes {
-        total += plane;
-    }
-    total
 }
 
 impl StepContext<'_> {

@@ -236,18 +236,14 @@ impl Cycle {
     }
 
     /// Ghost nodes of the equation of motion once more, with the velocities that are there now, and their sums, which are added
-    /// plane by plane to those of the step.
-    pub(super) fn add_sums_of_planes(&mut self, nodal: &NodalConditions) {
+    /// to those of the step.
+    pub(super) fn add_settled_sums(&mut self, nodal: &NodalConditions) {
         let mut solved = self.solved();
         let VisitParts { context, grid, .. } = self.divide(Carry::All, nodal);
         grid.visit_with(solved.iter_mut(), |mut slab, solved| {
             sums_after(&mut slab, &context, &mut solved.sums);
         });
-        let planes = solved.iter().flat_map(|slab| &slab.sums.planes);
-        match self.join_planes(planes.clone()) {
-            None => planes.for_each(|plane| self.work.sums += plane),
-            Some(all) => all.iter().for_each(|plane| self.work.sums += plane),
-        }
+        self.work.sums += &self.join_step_sums(solved.iter().map(|slab| &slab.sums));
         self.work.solved = solved;
     }
 

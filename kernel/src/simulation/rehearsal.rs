@@ -10,7 +10,7 @@ use crate::simulation::context::{NodalConditions, Remap};
 use crate::simulation::values::{SavedState, StepError, StepInfo};
 use crate::stage::g2p::Task;
 use crate::stage::p2g::Carry;
-use crate::stage::solve::PlaneSums;
+use crate::stage::solve::StepSums;
 use crate::stage::weigh;
 use std::ops::Range;
 
@@ -61,7 +61,7 @@ struct StepSnapshot {
     saved: SavedState,
     fields: Vec<(Owner, ActiveRows)>,
     slabs: Vec<Range<usize>>,
-    sums: PlaneSums,
+    sums: StepSums,
     interactions: Interactions,
     phase_timer: PhaseTimer,
 }

@@ -9,7 +9,7 @@ use crate::ranks::Ranks;
 use crate::simulation::fields::Grid;
 use crate::simulation::values::{BodyRun, Clock, Event, EventKind, ParticleAt};
 use crate::stage::g2p::ParticleMaxima;
-use crate::stage::solve::PlaneSums;
+use crate::stage::solve::StepSums;
 use crate::team::Team;
 use std::ops::Range;
 
@@ -111,7 +111,7 @@ pub struct StepUpdate<'a> {
     /// The grid with its velocity fields.
     pub grid: &'a mut Grid,
     /// Sums over the nodes of this step.
-    pub sums: &'a mut PlaneSums,
+    pub sums: &'a mut StepSums,
     pub(super) events: &'a mut Vec<Event>,
     pub(super) settings: &'a CycleSettings,
     pub(super) bodies: &'a [BodyRun],

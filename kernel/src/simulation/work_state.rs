@@ -2,7 +2,6 @@
 
 use super::interactions::Interactions;
 use super::invariants::Momentum;
-use super::motion::SlabSums;
 use super::phase::PhaseTimer;
 use super::ranks::Share;
 use super::tension::TensionWatch;
@@ -10,7 +9,7 @@ use crate::simulation::context::NodalConditions;
 use crate::simulation::fields::Grid;
 use crate::simulation::values::{NodalForce, StepError};
 use crate::stage::g2p::ParticleMaxima;
-use crate::stage::solve::{EmptyNode, PlaneSums};
+use crate::stage::solve::{EmptyNode, ExactStepSums, StepSums};
 
 /// The work state of a step: the grid, the interactions between its fields, and lists that keep their memory.
 pub(crate) struct WorkState {
@@ -22,7 +21,7 @@ pub(crate) struct WorkState {
     /// Reports the end of each phase, where somebody observes them.
     pub(crate) phase_timer: PhaseTimer,
     /// Sums over the nodes of the last step.
-    pub(crate) sums: PlaneSums,
+    pub(crate) sums: StepSums,
     /// Largest acceleration of a particle by box loads \[m/s²\].
     pub(crate) load_acceleration: f64,
     /// Error of a step that left particles where no step can go on.
@@ -55,7 +54,7 @@ impl WorkState {
             own_field: vec![false; bodies],
             interactions,
             phase_timer: PhaseTimer::default(),
-            sums: PlaneSums::default(),
+            sums: StepSums::default(),
             load_acceleration: 0.0,
             failed: None,
             nodal: NodalConditions::default(),
@@ -74,7 +73,7 @@ impl WorkState {
 /// Result of the solve on one slab.
 #[derive(Debug, Default)]
 pub(crate) struct SlabSolution {
-    pub(super) sums: SlabSums,
+    pub(super) sums: ExactStepSums,
     /// Groups in the layers of particles that the slab owns.
     pub(super) groups: usize,
     /// A node without mass that a load acts on.

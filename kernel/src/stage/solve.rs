@@ -14,7 +14,7 @@ mod remapped;
 mod sums;
 
 pub use nodes::{DashpotNode, DrivenNode, EmptyNode, NodeForce};
-pub use sums::PlaneSums;
+pub use sums::{ExactStepSums, StepSum, StepSums};
 
 use crate::grid::{ActiveRows, GHOSTS_BELOW, GridShape, Line};
 use crate::stage::p2g::{join, join_with_hoop};
@@ -250,8 +250,8 @@ impl Planes<'_> {
     }
 
     /// v_I += dv_I with dv_I = (f_I/m_I + g) dt, damped (technical manual, algorithm 2, lines 7-11). Adds what local
-    /// damping takes to the sums of the owned planes.
-    pub(crate) fn accelerate(&mut self, by: &Acceleration, sums: &mut [PlaneSums]) {
+    /// damping takes to the sums.
+    pub(crate) fn accelerate(&mut self, by: &Acceleration, sums: &mut ExactStepSums) {
         let (g, dt) = (by.gravity, by.kick);
         match by.local_damping {
             None => self.for_rows(|row| {
@@ -290,28 +290,27 @@ impl Planes<'_> {
         }
     }
 
-    /// Adds the power of the reactions of moving walls \[W\], from what the walls are about to change, to the sums
-    /// of the owned planes. Per plane, so that the total does not depend on who owns it.
-    pub(crate) fn add_power_of_walls(&mut self, walls: &[Wall], kick: f64, sums: &mut [PlaneSums]) {
-        let per_plane = self.shape.plane_nodes();
+    /// Adds the power of the reactions of moving walls \[W\], from what the walls are about to change.
+    pub(crate) fn add_power_of_walls(
+        &mut self,
+        walls: &[Wall],
+        kick: f64,
+        sums: &mut ExactStepSums,
+    ) {
         for wall in walls.iter().filter(|w| w.after != [0.0; 3] && kick > 0.0) {
             let (ghost, plane, mirror) = wall.layers(self.shape);
             self.for_pairs(wall.axis, plane, plane, |nodes, index, _| {
                 for axis in (0..3).filter(|&axis| wall.prescribes(axis)) {
-                    sums[index / per_plane].power += power(
-                        &nodes[index],
-                        axis,
-                        wall.before[axis],
-                        wall.after[axis],
-                        kick,
-                    );
+                    let (before, after) = (wall.before[axis], wall.after[axis]);
+                    let power = power(&nodes[index], axis, before, after, kick);
+                    sums.add(StepSum::Power, power);
                 }
             });
             self.for_pairs(wall.axis, ghost, mirror, |nodes, ghost, mirror| {
                 for axis in (0..3).filter(|&axis| wall.prescribes(axis)) {
                     let pair = (&nodes[ghost], &nodes[mirror]);
                     let way = (wall.before[axis], wall.after[axis]);
-                    sums[mirror / per_plane].power += power_at_ghost(pair, axis, way, kick);
+                    sums.add(StepSum::Power, power_at_ghost(pair, axis, way, kick));
                 }
             });
         }
@@ -322,21 +321,16 @@ impl Planes<'_> {
         &self,
         driven: &[DrivenNode],
         kick: f64,
-        sums: &mut [PlaneSums],
+        sums: &mut ExactStepSums,
     ) {
         let first = self.first();
-        let per_plane = self.shape.plane_nodes();
         if kick > 0.0 {
             for d in owned(driven, |d| d.node, first, self.nodes.len()) {
                 let index = d.node - first;
                 for axis in 0..3 {
-                    sums[index / per_plane].power += power(
-                        &self.nodes[index],
-                        axis,
-                        d.before[axis],
-                        d.after[axis],
-                        kick,
-                    );
+                    let node = &self.nodes[index];
+                    let power = power(node, axis, d.before[axis], d.after[axis], kick);
+                    sums.add(StepSum::Power, power);
                 }
             }
         }
@@ -358,44 +352,42 @@ impl Planes<'_> {
         }
     }
 
-    /// Adds the power of nodal loads to the sums of the owned planes, after the solve.
+    /// Adds the power of nodal loads, after the solve.
     #[inline]
-    pub(crate) fn add_power_of_loads(&self, loads: &[NodeForce], sums: &mut [PlaneSums]) {
+    pub(crate) fn add_power_of_loads(&self, loads: &[NodeForce], sums: &mut ExactStepSums) {
         let first = self.first();
         for load in owned(loads, |l| l.node, first, self.nodes.len()) {
             let v = &self.nodes[load.node - first];
-            let plane = (load.node - first) / self.shape.plane_nodes();
-            sums[plane].power += load.force[0] * v[1] + load.force[1] * v[2] + load.force[2] * v[3];
+            let power = load.force[0] * v[1] + load.force[1] * v[2] + load.force[2] * v[3];
+            sums.add(StepSum::Power, power);
         }
     }
 
-    /// Adds kinetic energy and unbalanced force, after a change of velocity over `kick` \[s\], of the mesh nodes to the
-    /// sums of the owned planes; ghosts repeat what lies inside.
-    pub(crate) fn measure(&self, kick: f64, out: &mut [PlaneSums]) {
+    /// Adds kinetic energy and unbalanced force, after a change of velocity over `kick` \[s\], of the mesh nodes, row by
+    /// row; ghosts repeat what lies inside.
+    pub(crate) fn measure(&self, kick: f64, out: &mut ExactStepSums) {
         let is_mesh = |direction: usize, index: usize| {
             self.shape.nodes[direction] == 1
                 || (index >= GHOSTS_BELOW
                     && index + crate::grid::GHOSTS_ABOVE < self.shape.nodes[direction])
         };
-        for (sums, plane) in out.iter_mut().zip(self.range.clone()) {
-            if !is_mesh(0, plane) {
-                continue;
-            }
+        let per_kick = if kick > 0.0 { kick * kick } else { 1.0 };
+        for plane in self.range.clone().filter(|&plane| is_mesh(0, plane)) {
             for row in self.rows.in_plane(plane).filter(|&row| is_mesh(1, row)) {
                 let start =
                     ((plane - self.range.start) * self.shape.nodes[1] + row) * self.shape.nodes[2];
+                let (mut kinetic, mut unbalanced_squared) = (0.0, 0.0);
                 for k in self.rows.span(plane, row).filter(|&k| is_mesh(2, k)) {
                     let node = &self.nodes[start + k];
                     if node[0] > 0.0 {
                         let v2 = node[1] * node[1] + node[2] * node[2] + node[3] * node[3];
                         let dv2 = node[4] * node[4] + node[5] * node[5] + node[6] * node[6];
-                        sums.kinetic += 0.5 * node[0] * v2;
-                        sums.unbalanced_squared += node[0] * node[0] * dv2;
+                        kinetic += 0.5 * node[0] * v2;
+                        unbalanced_squared += node[0] * node[0] * dv2;
                     }
                 }
-            }
-            if kick > 0.0 {
-                sums.unbalanced_squared /= kick * kick;
+                out.add(StepSum::Kinetic, kinetic);
+                out.add(StepSum::UnbalancedSquared, unbalanced_squared / per_kick);
             }
         }
     }

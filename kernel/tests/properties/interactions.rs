@@ -63,7 +63,7 @@ impl Glue {
 }
 
 impl SlabInteraction for &Glue {
-    fn correct(&mut self, slab: &mut Slab<'_>, context: &StepContext<'_>, _: &mut [PlaneSums]) {
+    fn correct(&mut self, slab: &mut Slab<'_>, context: &StepContext<'_>, _: &mut ExactStepSums) {
         self.join(slab, context);
     }
 

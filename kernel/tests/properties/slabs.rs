@@ -35,7 +35,7 @@ impl Interaction for Looks {
 struct NoCorrection;
 
 impl SlabInteraction for NoCorrection {
-    fn correct(&mut self, _: &mut Slab<'_>, _: &StepContext<'_>, _: &mut [PlaneSums]) {}
+    fn correct(&mut self, _: &mut Slab<'_>, _: &StepContext<'_>, _: &mut ExactStepSums) {}
 }
 
 /// The slabs of a block of so many cells per axis, its particles two per cell and axis, and how many particles begin in each.

@@ -4,7 +4,7 @@ mod contact_result;
 mod gaps;
 
 use super::faces::SlabFields;
-pub(crate) use contact_result::{ContactResult, DEEP, NodeTunnelling, Overlap};
+pub(crate) use contact_result::{ContactResult, DEEP, NodeTunnelling, Overlap, RowForce};
 use contact_result::{taken, touched};
 use proctor_kernel::model::Vector;
 use proctor_kernel::simulation::Owner;
@@ -15,7 +15,7 @@ use crate::pairs::interface::Interface;
 use crate::pairs::surface::{SurfaceSide, normal};
 use proctor_kernel::layout::Layout;
 use proctor_kernel::particles::ParticleSet;
-use proctor_kernel::stage::solve::{Wall, is_ghost};
+use proctor_kernel::stage::solve::{StepSum, Wall, is_ghost};
 use proctor_kernel::weights::{Family, round_off_weight};
 use smallvec::SmallVec;
 use std::ops::Range;
@@ -285,8 +285,8 @@ impl ContactNodes {
         done: &mut ContactResult,
     ) {
         let shape = fields.shape();
-        let (first_plane, per_plane) = (fields.range().start, shape.plane_nodes());
-        done.begin(fields.range().len(), bodies.pairs.len());
+        let first = fields.range().start * shape.plane_nodes();
+        done.begin(bodies.pairs.len());
         let (count, joined) = (fields.count(), fields.slab.joined);
         let is_driven = |owner: Owner| {
             let body = owner.body();
@@ -309,7 +309,7 @@ impl ContactNodes {
         } = lists;
         for meeting in &self.nodes {
             let numbers = &self.fields[meeting.fields.clone()];
-            let node = meeting.node - first_plane * per_plane;
+            let node = meeting.node - first;
             members.clear();
             members.extend(numbers.iter().map(|&number| {
                 let line = &fields.planes(number).nodes[node];
@@ -367,7 +367,7 @@ impl ContactNodes {
                         for axis in 0..3 {
                             let change = member.increment[axis] - line[4 + axis];
                             let mean = member.velocity[axis] - 0.5 * member.increment[axis];
-                            done.sums[node / per_plane].damping -= line[0] * change * mean;
+                            done.sums.add(StepSum::Damping, -(line[0] * change * mean));
                         }
                     }
                     line[1..4].copy_from_slice(&member.velocity);
@@ -375,7 +375,7 @@ impl ContactNodes {
                 }
             }
             coulomb.resolve(members, is_joined, touches, impulses);
-            let plane = node / per_plane;
+            let row = meeting.node / shape.nodes[2];
             if let ContactVelocities::Trial { kick, .. } = on {
                 let mut acts = false;
                 for (&index, impulse) in which.iter().zip(&*impulses) {
@@ -384,17 +384,14 @@ impl ContactNodes {
                     touch.force = impulse.map(|c| c / kick);
                     touch.state = touched(impulse, &touch.normal, friction);
                     acts |= touch.state != ContactStatus::Open;
-                    let sum = &mut done.forces[plane * bodies.pairs.len() + touch.pair];
-                    for axis in 0..3 {
-                        sum[axis] += touch.force[axis];
-                    }
+                    done.add_force(row, touch.pair, &touch.force);
                     let [friction, impact] = taken(
                         impulse,
                         &touch.normal,
                         touch.sides.map(|side| &members[side]),
                     );
-                    done.sums[plane].friction += friction;
-                    done.sums[plane].impact += impact;
+                    done.sums.add(StepSum::Friction, friction);
+                    done.sums.add(StepSum::Impact, impact);
                 }
                 done.nodes += usize::from(acts);
             }
@@ -419,7 +416,8 @@ impl ContactNodes {
                         line[4 + axis] = member.increment[axis];
                         // What a driven body does to the others is its power.
                         if let Some(velocity) = by {
-                            done.sums[plane].power += line[0] * change / kick * velocity[axis];
+                            let power = line[0] * change / kick * velocity[axis];
+                            done.sums.add(StepSum::Power, power);
                         }
                     }
                 }

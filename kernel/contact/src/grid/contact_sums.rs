@@ -2,7 +2,7 @@
 
 use super::SlabContactState;
 use super::contact_nodes::{
-    ContactResult, ContactStatus, ContactStatuses, NodeTunnelling, Overlap,
+    ContactResult, ContactStatus, ContactStatuses, NodeTunnelling, Overlap, RowForce,
 };
 use proctor_kernel::model::Vector;
 use proctor_kernel::ranks::{Ranks, Words};
@@ -36,15 +36,18 @@ impl ContactSums {
         (self.nodes, self.tunnelling) = (0, None);
     }
 
-    /// Adds the results of the planes that follow.
-    fn add(&mut self, result: &ContactResult) {
-        for of_plane in result.forces.chunks_exact(self.forces.len().max(1)) {
-            for (sum, force) in self.forces.iter_mut().zip(of_plane) {
-                for axis in 0..3 {
-                    sum[axis] += force[axis];
-                }
+    /// Adds forces of rows that follow.
+    fn add_forces(&mut self, forces: &[RowForce]) {
+        for one in forces {
+            let sum = &mut self.forces[one.pair];
+            for axis in 0..3 {
+                sum[axis] += one.force[axis];
             }
         }
+    }
+
+    /// Adds the results of nodes that follow, but for the forces.
+    fn add(&mut self, result: &ContactResult) {
         self.nodes += result.nodes;
         if let Some(at) = result.tunnelling {
             let worst = self.tunnelling;
@@ -70,16 +73,23 @@ impl ContactSums {
         self.clear(pairs);
         for slab in slabs {
             self.add(&slab.done);
+            self.add_forces(&slab.done.forces);
         }
         let Some(ranks) = ranks else { return };
         let own = self.pack(slabs);
         self.clear(pairs);
+        let mut forces = vec![];
         for words in ranks.all_gather(&own) {
-            self.add(&unpack(pairs, &words));
+            let result = unpack(pairs, &words);
+            self.add(&result);
+            forces.extend(result.forces);
         }
+        // Each rank has its rows in order.
+        forces.sort_by_key(|one| one.row);
+        self.add_forces(&forces);
     }
 
-    /// Own results as words: the nodes, the tunnelling, the overlap of each pair, then the forces plane by plane.
+    /// Own results as words: the nodes, the tunnelling, the overlap of each pair, then the forces row by row.
     fn pack(&self, slabs: &[SlabContactState]) -> Vec<u64> {
         let mut words = vec![self.nodes as u64];
         words.push(u64::from(self.tunnelling.is_some()));
@@ -96,8 +106,10 @@ impl ContactSums {
             }
         }
         for slab in slabs {
-            let forces = slab.done.forces.as_flattened().iter();
-            words.extend(forces.map(|force| force.to_bits()));
+            for one in &slab.done.forces {
+                words.extend([one.row, one.pair].map(|index| index as u64));
+                words.extend(one.force.map(f64::to_bits));
+            }
         }
         words
     }
@@ -125,9 +137,12 @@ fn unpack(pairs: usize, words: &[u64]) -> ContactResult {
         });
         result.overlaps.push(overlap);
     }
-    let (forces, _) = words.rest().as_chunks::<3>();
-    let forces = forces.iter().map(|force| force.map(f64::from_bits));
-    result.forces.extend(forces);
+    let (forces, _) = words.rest().as_chunks::<5>();
+    result.forces.extend(forces.iter().map(|&[row, pair, x, y, z]| RowForce {
+        row: row as usize,
+        pair: pair as usize,
+        force: [x, y, z].map(f64::from_bits),
+    }));
     result
 }
 

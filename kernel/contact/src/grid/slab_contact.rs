@@ -8,7 +8,7 @@ use crate::pairs::{Pair, surface};
 use proctor_kernel::simulation::{
     Grid, Remap, SharedSlabInteraction, Slab, SlabMemory, SlabPart, StepContext, VelocityMapping,
 };
-use proctor_kernel::stage::solve::{PlaneSums, Planes};
+use proctor_kernel::stage::solve::{ExactStepSums, Planes};
 use std::any::Any;
 
 impl GridContact {
@@ -109,7 +109,7 @@ impl SharedSlabInteraction for SharedContact {
         own: &mut SlabMemory<'_>,
         slab: &mut Slab<'_>,
         context: &StepContext<'_>,
-        sums: &mut [PlaneSums],
+        sums: &mut ExactStepSums,
     ) {
         let bodies = self.bodies(context);
         let mut fields = SlabFields::new(slab, &mut own.lines);
@@ -133,9 +133,7 @@ impl SharedSlabInteraction for SharedContact {
                 planes.constrain(&context.walls, true);
             }
         }
-        for (sums, done) in sums.iter_mut().zip(&done.sums) {
-            *sums += done;
-        }
+        sums.merge(&done.sums);
     }
 
     fn correct_remapped(

@@ -20,7 +20,7 @@ use crate::simulation::Cycle;
 use crate::simulation::context::{Condition, FieldNodes, NodalConditions};
 use crate::simulation::fields::{Owner, SlabField};
 use crate::simulation::values::{AbsorbingNode, Drift, StepError, StepErrorKind};
-use crate::stage::solve::{DashpotNode, EmptyNode, PlaneSums};
+use crate::stage::solve::{DashpotNode, EmptyNode, ExactStepSums, StepSum};
 use std::sync::Arc;
 
 /// Cells by which the material at a plane may move off the dashpots, which stay at their nodes.
@@ -80,7 +80,7 @@ impl Condition for AbsorbingPlanes {
                 let change = (dv - twice_beta * before) / (1.0 + 0.5 * twice_beta);
                 (line[1 + axis], line[4 + axis]) = (before + change, change);
                 let mean = before + 0.5 * change;
-                sums.absorbed += impedance * mean * mean * kick;
+                sums.add(StepSum::Absorbed, impedance * mean * mean * kick);
             }
         });
     }
@@ -88,16 +88,16 @@ impl Condition for AbsorbingPlanes {
     fn settled(&self, field: &mut FieldNodes<'_, '_>) {
         for_dashpots(field, |line, dashpot, share, sums| {
             let power = (0..3).map(|axis| dashpot.force[axis] * line[1 + axis]);
-            sums.power += share * power.sum::<f64>();
+            sums.add(StepSum::Power, share * power.sum::<f64>());
         });
     }
 }
 
 /// Calls `act` with each node of absorbing planes where a field has mass, the share of the field in the mass there, and the
-/// sums of its plane of nodes.
+/// sums of the slab.
 fn for_dashpots(
     field: &mut FieldNodes<'_, '_>,
-    mut act: impl FnMut(&mut Line, &DashpotNode, f64, &mut PlaneSums),
+    mut act: impl FnMut(&mut Line, &DashpotNode, f64, &mut ExactStepSums),
 ) {
     let shape = field.slab.shape();
     let [first, last] =
@@ -128,7 +128,6 @@ fn for_dashpots(
             own / fields.map(mass).sum::<f64>()
         };
         let (planes, _, sums) = field.parts();
-        let sums = &mut sums[plane - planes.range.start];
         act(&mut planes.nodes[index], dashpot, share, sums);
     }
 }

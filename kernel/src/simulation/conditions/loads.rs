@@ -10,7 +10,7 @@ use crate::simulation::fields::{Owner, SlabField};
 use crate::simulation::history::value;
 use crate::simulation::step_view::StepView;
 use crate::simulation::values::SetupError;
-use crate::stage::solve::{EmptyNode, NodeForce, PlaneSums, Planes};
+use crate::stage::solve::{EmptyNode, ExactStepSums, NodeForce, Planes};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -137,12 +137,12 @@ impl NodalLoads {
         self.of_tractions.binary_search(&node).is_ok() && masses.at(node) <= 0.0
     }
 
-    /// Calls `act` with the nodes of a field, its share of each load on them, and the sums of the planes. The share is that of
+    /// Calls `act` with the nodes of a field, its share of each load on them, and the sums of the slab. The share is that of
     /// its mass in the mass of all fields of a node that move freely.
     fn for_share(
         &self,
         field: &mut FieldNodes<'_, '_>,
-        mut act: impl FnMut(&mut Planes<'_>, NodeForce, &mut [PlaneSums]) -> Result<(), EmptyNode>,
+        mut act: impl FnMut(&mut Planes<'_>, NodeForce, &mut ExactStepSums) -> Result<(), EmptyNode>,
     ) -> Result<(), EmptyNode> {
         let (shape, now) = (field.slab.shape(), field.context);
         let first = field.slab.range().start * shape.plane_nodes();

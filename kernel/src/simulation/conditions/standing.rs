@@ -24,7 +24,7 @@ use crate::simulation::fields::Owner;
 use crate::simulation::history::value;
 use crate::simulation::step_view::StepView;
 use crate::simulation::water::porosity_at;
-use crate::stage::solve::{EmptyNode, PlaneSums};
+use crate::stage::solve::{EmptyNode, ExactStepSums, StepSum};
 use crate::weights::Family;
 use smallvec::SmallVec;
 use std::sync::Arc;
@@ -120,9 +120,8 @@ impl Condition for StandingWaters {
 
     fn settled(&self, field: &mut FieldNodes<'_, '_>) {
         for_forces(field, |line, force, sums| {
-            if let Some(sums) = sums {
-                sums.power += (0..3).map(|axis| force[axis] * line[1 + axis]).sum::<f64>();
-            }
+            let power = (0..3).map(|axis| force[axis] * line[1 + axis]);
+            sums.add(StepSum::Power, power.sum::<f64>());
         });
     }
 }
@@ -235,10 +234,10 @@ impl StandingWaters {
 /// Half-length in cells of the piece that stands for a particle without a domain: that of two to a cell.
 const OF_POINTS: f64 = 0.25;
 
-/// Calls `act` for each node of a field with mass on which water presses, with its part of the force \[N\] and the sums of its plane.
+/// Calls `act` for each node of a field with mass on which water presses, with its part of the force \[N\] and the sums of the slab.
 fn for_forces(
     field: &mut FieldNodes<'_, '_>,
-    mut act: impl FnMut(&mut Line, Vector, Option<&mut PlaneSums>),
+    mut act: impl FnMut(&mut Line, Vector, &mut ExactStepSums),
 ) {
     let owner = field.owner();
     // Both phases share the forces of the first field.
@@ -280,7 +279,7 @@ fn for_forces(
                 let line = &mut planes.nodes[node - first];
                 if planes.rows.span(plane, row).contains(&k) && line[0] > 0.0 {
                     let force = force.map(|f| f * share);
-                    act(line, force, sums.get_mut(plane - planes.range.start));
+                    act(line, force, sums);
                 }
             }
         }

@@ -4,7 +4,7 @@ use super::{Remap, StepContext};
 use crate::grid::Line;
 use crate::model::Vector;
 use crate::simulation::fields::{Owner, Slab, SlabField};
-use crate::stage::solve::{DrivenNode, PlaneSums, Planes, is_ghost};
+use crate::stage::solve::{DrivenNode, ExactStepSums, StepSum, Planes, is_ghost};
 
 /// One velocity field in the planes of nodes that one thread owns.
 pub struct FieldNodes<'s, 'a> {
@@ -12,8 +12,8 @@ pub struct FieldNodes<'s, 'a> {
     /// Number of the field among those of the node.
     pub(in crate::simulation) number: usize,
     pub(in crate::simulation) context: &'s StepContext<'s>,
-    /// Sums of each plane; none in a second mapping.
-    pub(in crate::simulation) sums: &'s mut [PlaneSums],
+    /// Sums over the nodes of the slab; those of a second mapping count for nothing.
+    pub(in crate::simulation) sums: &'s mut ExactStepSums,
 }
 
 impl<'s, 'a> FieldNodes<'s, 'a> {
@@ -43,9 +43,9 @@ impl<'s, 'a> FieldNodes<'s, 'a> {
         let walls = context.walls_of(owner);
         let (lane, shape) = (context.lane(), planes.shape);
         let first = planes.range.start * shape.plane_nodes();
-        for (number, plane) in planes.range.clone().enumerate() {
-            let mut power = 0.0;
+        for plane in planes.range.clone() {
             for row in planes.rows.in_plane(plane) {
+                let mut power = 0.0;
                 for k in planes.rows.span(plane, row) {
                     let at = [plane, row, k];
                     let index = shape.index(at);
@@ -65,9 +65,7 @@ impl<'s, 'a> FieldNodes<'s, 'a> {
                         power += node.power;
                     }
                 }
-            }
-            if let Some(sums) = sums.get_mut(number) {
-                sums.power += power;
+                sums.add(StepSum::Power, power);
             }
         }
         if context.remap == Some(Remap::OldPositions) {
@@ -83,7 +81,7 @@ impl<'s, 'a> FieldNodes<'s, 'a> {
     /// Nodes, what is known of the step, and sums.
     pub(in crate::simulation) fn parts(
         &mut self,
-    ) -> (&mut Planes<'a>, &'s StepContext<'s>, &mut [PlaneSums]) {
+    ) -> (&mut Planes<'a>, &'s StepContext<'s>, &mut ExactStepSums) {
         let planes = &mut self.slab.fields[self.number].planes;
         (planes, self.context, self.sums)
     }

@@ -4,11 +4,10 @@ use crate::exact_sum::ExactSum;
 use crate::particles::ParticleSet;
 use crate::ranks::{Ranks, Words};
 use crate::simulation::Cycle;
-use crate::simulation::motion::total;
 use crate::simulation::tension::LargestStretch;
 use crate::simulation::values::{ParticleAt, StepError, StepErrorKind};
 use crate::stage::g2p::{FaultKind, ParticleMaxima};
-use crate::stage::solve::{EmptyNode, PlaneSums};
+use crate::stage::solve::{EmptyNode, ExactStepSums, StepSums};
 use std::hash::Hasher;
 use std::ops::Range;
 
@@ -18,13 +17,13 @@ const STEPS_PER_COMPARISON: u64 = 256;
 const NO_NODE: u64 = u64::MAX;
 
 /// Result of the equation of motion on all slabs of all ranks.
-pub(in crate::simulation) struct SolvedPlanes {
+pub(in crate::simulation) struct SolvedSlabs {
     /// Groups of particles with a base node in common.
     pub(in crate::simulation) groups: usize,
     /// The first node without mass that a load acts on.
     pub(in crate::simulation) empty: Option<EmptyNode>,
-    /// Sums over the planes, in their order.
-    pub(in crate::simulation) sums: PlaneSums,
+    /// Sums over the nodes.
+    pub(in crate::simulation) sums: StepSums,
 }
 
 /// A particle that left the mesh, with the energy and the dead load that go with it.
@@ -104,51 +103,50 @@ impl Cycle {
     }
 
     /// The result of the equation of motion, from that of each slab.
-    pub(in crate::simulation) fn join_slabs(&self) -> SolvedPlanes {
+    pub(in crate::simulation) fn join_slabs(&self) -> SolvedSlabs {
         let slabs = &self.work.solved;
         let groups = slabs.iter().map(|slab| slab.groups).sum();
         let empty = slabs.iter().find_map(|slab| slab.empty);
-        let planes = slabs.iter().flat_map(|slab| &slab.sums.planes);
+        let of_slabs = slabs.iter().map(|slab| &slab.sums);
         let Some(ranks) = self.ranks() else {
-            return SolvedPlanes {
+            return SolvedSlabs {
                 groups,
                 empty,
-                sums: total(planes),
+                sums: sum_of(of_slabs),
             };
         };
         let mut words = vec![groups as u64, empty.map_or(NO_NODE, |empty| empty.0 as u64)];
-        words.extend(planes.flat_map(PlaneSums::numbers).map(f64::to_bits));
-        let mut all = SolvedPlanes {
-            groups: 0,
-            empty: None,
-            sums: PlaneSums::default(),
-        };
+        pack_sums(of_slabs, &mut words);
+        let (mut all_groups, mut first) = (0, NO_NODE);
+        let mut sums = ExactStepSums::default();
         for of_rank in ranks.all_gather(&words) {
             let mut words = Words::of(&of_rank);
-            all.groups += words.count();
-            let node = Some(words.word()).filter(|node| *node != NO_NODE);
-            all.empty = (all.empty).or(node.map(|node| EmptyNode(node as usize)));
-            for numbers in words.rest().as_chunks().0 {
-                all.sums += &PlaneSums::from_numbers(numbers.map(f64::from_bits));
-            }
+            all_groups += words.count();
+            first = first.min(words.word());
+            sums.merge_packed(words.rest());
         }
-        all
+        SolvedSlabs {
+            groups: all_groups,
+            empty: (first != NO_NODE).then_some(EmptyNode(first as usize)),
+            sums: sums.value(),
+        }
     }
 
-    /// The sums of the planes of all ranks, in their order; `None` where no ranks share the simulation.
-    pub(in crate::simulation) fn join_planes<'a>(
+    /// The sums over the nodes of all slabs, and of all ranks.
+    pub(in crate::simulation) fn join_step_sums<'a>(
         &self,
-        planes: impl Iterator<Item = &'a PlaneSums>,
-    ) -> Option<Vec<PlaneSums>> {
-        let ranks = self.ranks()?;
-        let words: Vec<u64> = planes
-            .flat_map(PlaneSums::numbers)
-            .map(f64::to_bits)
-            .collect();
-        let all = ranks.all_gather(&words);
-        let numbers = all.iter().flat_map(|words| words.as_chunks().0);
-        let planes = numbers.map(|numbers| PlaneSums::from_numbers(numbers.map(f64::from_bits)));
-        Some(planes.collect())
+        slabs: impl Iterator<Item = &'a ExactStepSums>,
+    ) -> StepSums {
+        let Some(ranks) = self.ranks() else {
+            return sum_of(slabs);
+        };
+        let mut words = vec![];
+        pack_sums(slabs, &mut words);
+        let mut sums = ExactStepSums::default();
+        for of_rank in ranks.all_gather(&words) {
+            sums.merge_packed(&of_rank);
+        }
+        sums.value()
     }
 
     /// The maxima over the particles of each body that moves freely, after a G2P pass, with the fault of each body; a fault of a
@@ -420,6 +418,26 @@ impl Cycle {
             },
         }
     }
+}
+
+/// The sums of some slabs together.
+fn sum_of<'a>(mut slabs: impl Iterator<Item = &'a ExactStepSums>) -> StepSums {
+    let Some(first) = slabs.next() else {
+        return StepSums::default();
+    };
+    let Some(second) = slabs.next() else {
+        return first.value();
+    };
+    let mut all = first.clone();
+    std::iter::once(second).chain(slabs).for_each(|one| all.merge(one));
+    all.value()
+}
+
+/// Adds the sums of some slabs to words.
+fn pack_sums<'a>(slabs: impl Iterator<Item = &'a ExactStepSums>, words: &mut Vec<u64>) {
+    let mut all = ExactStepSums::default();
+    slabs.for_each(|one| all.merge(one));
+    all.pack(words);
 }
 
 /// Words of a particle and where it is.

@@ -5,7 +5,7 @@ use super::pressed::each_pressed;
 use crate::grid::{GHOSTS_BELOW, GridShape, Line};
 use crate::simulation::context::StepContext;
 use crate::simulation::fields::{Owner, Slab};
-use crate::stage::solve::{PlaneSums, Wall};
+use crate::stage::solve::{ExactStepSums, StepSum, Wall};
 
 /// Lane of a node of the water that holds the drag before the equation of motion, and the porosity after it.
 const SPARE: usize = 7;
@@ -38,7 +38,7 @@ pub(in crate::simulation) fn split(slab: &mut Slab<'_>, context: &StepContext<'_
 pub(in crate::simulation) fn drag(
     slab: &mut Slab<'_>,
     context: &StepContext<'_>,
-    sums: &mut [PlaneSums],
+    sums: &mut ExactStepSums,
 ) {
     if slab.shape().axes == 2 {
         drag_along::<2>(slab, context, sums);
@@ -51,12 +51,12 @@ pub(in crate::simulation) fn drag(
 fn drag_along<const D: usize>(
     slab: &mut Slab<'_>,
     context: &StepContext<'_>,
-    sums: &mut [PlaneSums],
+    sums: &mut ExactStepSums,
 ) {
     let Some(water) = constants(slab, context) else {
         return;
     };
-    let (shape, first) = (slab.shape(), slab.range().start);
+    let shape = slab.shape();
     let (kick, gravity) = (context.nodal.kick, context.nodal.gravity);
     let ratios = water.drag_ratios();
     let edges = [Owner::Phase, Owner::Water].map(|owner| Edges::of(context.walls_of(owner), shape));
@@ -97,17 +97,16 @@ fn drag_along<const D: usize>(
         if is_ghost {
             return;
         }
-        let sums = &mut sums[node.at[0] - first];
-        sums.drag += taken;
+        sums.add(StepSum::Drag, taken);
         let weight = |axis: usize| gravity[axis] * flow[1 + axis];
-        sums.power += flow[0] * (0..D).map(weight).sum::<f64>();
+        sums.add(StepSum::Power, flow[0] * (0..D).map(weight).sum::<f64>());
     });
     each_pressed(slab, context, |node, skeleton, flow| {
         if edges.iter().any(|edges| edges.at(node.at) & GHOST != 0) {
             return;
         }
         let seeping = flow[1 + node.axis] - skeleton[1 + node.axis];
-        sums[node.at[0] - first].power += flow[SPARE] * node.force * seeping;
+        sums.add(StepSum::Power, flow[SPARE] * node.force * seeping);
     });
 }
 

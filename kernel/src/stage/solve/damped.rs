@@ -4,7 +4,7 @@
 //! before and after: summed over all forces that is the change of m v²/2 exactly. So what damping takes is the mean
 //! velocity times its impulse, with the sign turned.
 
-use super::{Acceleration, DrivenNode, PlaneSums, Planes, Wall, is_ghost, owned};
+use super::{Acceleration, DrivenNode, ExactStepSums, StepSum, Planes, Wall, is_ghost, owned};
 use crate::grid::Line;
 
 /// Increment of the velocity of a node along an axis under local damping \[m/s\], and what the damping takes \[J\].
@@ -27,11 +27,11 @@ impl Planes<'_> {
         &mut self,
         by: &Acceleration,
         alpha: f64,
-        sums: &mut [PlaneSums],
+        sums: &mut ExactStepSums,
     ) {
-        for (sums, plane) in sums.iter_mut().zip(self.range.clone()) {
-            let mut taken = 0.0;
+        for plane in self.range.clone() {
             for row in self.rows.in_plane(plane) {
+                let mut taken = 0.0;
                 let start =
                     ((plane - self.range.start) * self.shape.nodes[1] + row) * self.shape.nodes[2];
                 let span = self.rows.span(plane, row);
@@ -46,8 +46,8 @@ impl Planes<'_> {
                         }
                     }
                 }
+                sums.add(StepSum::Damping, taken);
             }
-            sums.damping += taken;
         }
     }
 
@@ -59,7 +59,7 @@ impl Planes<'_> {
         by: &Acceleration,
         walls: &[Wall],
         lists: [&[DrivenNode]; 2],
-        sums: &mut [PlaneSums],
+        sums: &mut ExactStepSums,
     ) {
         let Some(alpha) = by.local_damping else {
             return;
@@ -74,7 +74,7 @@ impl Planes<'_> {
             let node = &self.nodes[self.shape.index(at) - self.first()];
             if node[0] > 0.0 {
                 let (_, loss) = damped(node, 1.0 / node[0], axis, by, alpha);
-                sums[at[0] - self.range.start].damping -= loss;
+                sums.add(StepSum::Damping, -loss);
             }
         };
         for (number, wall) in walls.iter().enumerate() {
@@ -102,12 +102,18 @@ impl Planes<'_> {
         }
     }
 
-    /// Adds what viscous damping with `rate` \[1/s\] took over `kick` \[s\] to the sums of the owned planes: at a node its
-    /// force was -rate m v, with the velocity before (Liang et al. 2024, eq. 20).
-    pub(crate) fn add_viscous(&self, rate: f64, kick: f64, walls: &[Wall], sums: &mut [PlaneSums]) {
-        for (sums, plane) in sums.iter_mut().zip(self.range.clone()) {
-            let mut taken = 0.0;
+    /// Adds what viscous damping with `rate` \[1/s\] took over `kick` \[s\]: at a node its force was -rate m v, with the
+    /// velocity before (Liang et al. 2024, eq. 20).
+    pub(crate) fn add_viscous(
+        &self,
+        rate: f64,
+        kick: f64,
+        walls: &[Wall],
+        sums: &mut ExactStepSums,
+    ) {
+        for plane in self.range.clone() {
             for row in self.rows.in_plane(plane) {
+                let mut taken = 0.0;
                 for k in self.rows.span(plane, row) {
                     let at = [plane, row, k];
                     let node = &self.nodes[self.shape.index(at) - self.first()];
@@ -118,8 +124,8 @@ impl Planes<'_> {
                         }
                     }
                 }
+                sums.add(StepSum::Damping, rate * kick * taken);
             }
-            sums.damping += rate * kick * taken;
         }
     }
 

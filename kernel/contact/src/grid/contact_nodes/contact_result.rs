@@ -4,21 +4,32 @@ use super::{ContactStatus, NodePair};
 use crate::pairs::Pair;
 use crate::pairs::coulomb::Member;
 use proctor_kernel::model::Vector;
-use proctor_kernel::stage::solve::PlaneSums;
+use proctor_kernel::stage::solve::ExactStepSums;
 
 /// The result of contact on a slab.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct ContactResult {
-    /// Force on the slave of each pair \[N\], plane by plane.
-    pub forces: Vec<Vector>,
-    /// Power of driven bodies, and what friction and contact along the normal took, plane by plane.
-    pub sums: Vec<PlaneSums>,
+    /// Force on the slave of pairs \[N\], row by row.
+    pub forces: Vec<RowForce>,
+    /// Power of driven bodies, and what friction and contact along the normal took.
+    pub sums: ExactStepSums,
     /// Number of nodes where a contact force acts.
     pub nodes: usize,
     /// The node where a pair approaches by most over its distance of contact in one step, if by more than that.
     pub tunnelling: Option<NodeTunnelling>,
     /// Deepest place of overlap of each pair, if by more than [`DEEP`].
     pub overlaps: Vec<Option<Overlap>>,
+}
+
+/// Force of a pair in a row of nodes. Sums over rows are formed in their order, whoever owns them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct RowForce {
+    /// Number of the row among all of the grid.
+    pub row: usize,
+    /// Index of the pair.
+    pub pair: usize,
+    /// Force on the slave \[N\].
+    pub force: Vector,
 }
 
 /// Share of a cell from which an overlap is an event: contact lets bodies into each other by no more than round-off and what
@@ -48,15 +59,31 @@ pub(crate) struct NodeTunnelling {
 }
 
 impl ContactResult {
-    /// Nothing is done yet in so many planes.
-    pub(super) fn begin(&mut self, planes: usize, pairs: usize) {
+    /// Nothing is done yet between so many pairs.
+    pub(super) fn begin(&mut self, pairs: usize) {
         self.forces.clear();
-        self.forces.resize(planes * pairs, [0.0; 3]);
         self.sums.clear();
-        self.sums.resize(planes, PlaneSums::default());
         self.overlaps.clear();
         self.overlaps.resize(pairs, None);
         (self.nodes, self.tunnelling) = (0, None);
+    }
+
+    /// Adds the force of a pair at a node of a row; rows come in their order.
+    pub(super) fn add_force(&mut self, row: usize, pair: usize, force: &Vector) {
+        let before = self.forces.iter().rposition(|one| one.row != row);
+        let of_row = &mut self.forces[before.map_or(0, |last| last + 1)..];
+        match of_row.iter_mut().find(|one| one.pair == pair) {
+            Some(one) => {
+                for axis in 0..3 {
+                    one.force[axis] += force[axis];
+                }
+            }
+            None => self.forces.push(RowForce {
+                row,
+                pair,
+                force: *force,
+            }),
+        }
     }
 
     /// Notes a pair that approaches in one step by more than the distance at which it touches. The velocities before
