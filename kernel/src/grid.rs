@@ -129,6 +129,28 @@ impl GridShape {
     }
 }
 
+/// Planes of nodes, and rows in each of them. Rows are never cut.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct NodeBlock {
+    pub(crate) planes: Range<usize>,
+    pub(crate) rows: Range<usize>,
+}
+
+impl NodeBlock {
+    /// All nodes of a grid.
+    pub(crate) fn all(shape: &GridShape) -> Self {
+        Self {
+            planes: 0..shape.nodes[0],
+            rows: 0..shape.nodes[1],
+        }
+    }
+
+    /// True for a node by its storage indices.
+    pub(crate) fn contains(&self, [plane, row, _]: [usize; 3]) -> bool {
+        self.planes.contains(&plane) && self.rows.contains(&row)
+    }
+}
+
 /// Values of all nodes.
 ///
 /// The memory is zeroed by the operating system when first touched, so a mesh far larger than the bodies costs
@@ -190,6 +212,8 @@ pub struct ActiveRows {
     in_planes: Vec<(u32, u32)>,
     /// First and last base cell in use of each base row, while they are sought.
     pub(crate) occupied: Vec<Option<(u32, u32)>>,
+    /// Rows that this process owns in each of its planes; all where there is none.
+    owned: Option<Range<usize>>,
 }
 
 impl ActiveRows {
@@ -236,18 +260,51 @@ impl ActiveRows {
                 *span = (0, 0);
             }
         }
+        self.rows_per_plane = rows;
+        self.find_in_planes();
+    }
+
+    /// Finds the rows of each plane among which those with an active part are.
+    fn find_in_planes(&mut self) {
+        let owned = self.owned.clone();
         let in_plane = |spans: &[(u32, u32)]| {
             let in_use = |(low, high): &(u32, u32)| low < high;
             let first = spans.iter().position(in_use).unwrap_or(0);
             let last = spans.iter().rposition(in_use).map_or(first, |row| row + 1);
-            (first as u32, last as u32)
+            let Some(owned) = &owned else {
+                return (first as u32, last as u32);
+            };
+            let first = first.clamp(owned.start, owned.end);
+            (first as u32, last.clamp(first, owned.end) as u32)
         };
         self.in_planes.clear();
-        self.in_planes.extend(spans.chunks(rows).map(in_plane));
-        self.rows_per_plane = rows;
+        self.in_planes
+            .extend(self.spans.chunks(self.rows_per_plane.max(1)).map(in_plane));
     }
 
-    /// Rows of a plane among which those with an active part are, however many the mesh has.
+    /// Owns these rows of each plane from here on, or all.
+    pub(crate) fn own(&mut self, rows: Option<Range<usize>>) {
+        if self.owned != rows {
+            self.owned = rows;
+            self.find_in_planes();
+        }
+    }
+
+    /// True where other ranks own some rows of the planes.
+    #[inline]
+    #[must_use]
+    pub(crate) fn is_cut(&self) -> bool {
+        self.owned.is_some()
+    }
+
+    /// True for a row that this process owns.
+    #[inline]
+    #[must_use]
+    pub fn owns(&self, row: usize) -> bool {
+        self.owned.as_ref().is_none_or(|owned| owned.contains(&row))
+    }
+
+    /// Owned rows of a plane among which those with an active part are, however many the mesh has.
     #[inline]
     #[must_use]
     pub(crate) fn in_plane(&self, plane: usize) -> Range<usize> {
@@ -290,6 +347,7 @@ impl ActiveRows {
             rows_per_plane: self.rows_per_plane,
             in_planes: vec![(0, 0); shape.nodes[0]],
             occupied: vec![],
+            owned: None,
         }
     }
 
@@ -303,6 +361,9 @@ impl ActiveRows {
         } else {
             (first, last)
         };
+        if !self.owns(row) {
+            return;
+        }
         let (first, last) = &mut self.in_planes[plane];
         let row = row as u32;
         (*first, *last) = if *first < *last {
@@ -312,9 +373,9 @@ impl ActiveRows {
         };
     }
 
-    /// Adds the spans of some planes to words: of each plane the rows in use, then two words for each of them.
-    pub(crate) fn pack(&self, planes: Range<usize>, words: &mut Vec<u64>) {
-        for plane in planes {
+    /// Adds the spans of a block that this process owns to words: of each plane the rows in use, then two words for each of them.
+    pub(crate) fn pack(&self, block: &NodeBlock, words: &mut Vec<u64>) {
+        for plane in block.planes.clone() {
             let rows = self.in_plane(plane);
             words.extend([rows.start as u64, rows.end as u64]);
             for row in rows {
@@ -324,11 +385,17 @@ impl ActiveRows {
         }
     }
 
-    /// Takes up packed spans of some planes.
+    /// Takes up packed spans of some planes, where there were none.
     pub(crate) fn unpack(&mut self, planes: Range<usize>, words: &mut Words<'_>) {
         for plane in planes {
             let (first, last) = (words.count(), words.count());
-            self.in_planes[plane] = (first as u32, last as u32);
+            // Other ranks may own other rows of the plane.
+            let (low, high) = &mut self.in_planes[plane];
+            if first < last && *low < *high {
+                (*low, *high) = ((*low).min(first as u32), (*high).max(last as u32));
+            } else if first < last {
+                (*low, *high) = (first as u32, last as u32);
+            }
             for row in first..last {
                 let span = (words.word() as u32, words.word() as u32);
                 self.spans[plane * self.rows_per_plane + row] = span;

@@ -1,5 +1,6 @@
 //! Particle state: one set per body, in columns, in order of base cell.
 
+use crate::grid::{GridShape, NodeBlock};
 use crate::layout::Layout;
 use crate::team::Team;
 use smallvec::SmallVec;
@@ -17,6 +18,61 @@ pub struct ParticleSet {
     /// First particle of each base layer along the slow axis, as of the last sort, and the number of
     /// particles.
     pub layers: Vec<usize>,
+    /// First particle of each base row, layer by layer, as of the last sort, and the number of particles; empty where no ranks
+    /// share rows.
+    pub(crate) rows: Vec<usize>,
+}
+
+/// Particles of a set that a process owns, in their order.
+#[derive(Clone, Debug)]
+pub struct OwnParticles(SmallVec<[Range<usize>; 1]>);
+
+impl OwnParticles {
+    /// Their places.
+    pub fn iter(&self) -> impl Iterator<Item = usize> + Clone + '_ {
+        self.0.iter().cloned().flatten()
+    }
+
+    /// Their places, as ranges that increase.
+    #[must_use]
+    pub fn ranges(&self) -> &[Range<usize>] {
+        &self.0
+    }
+
+    /// Number of particles.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.0.iter().map(ExactSizeIterator::len).sum()
+    }
+
+    /// True if there is none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// True for the place of one of them.
+    #[must_use]
+    #[inline]
+    pub fn contains(&self, p: usize) -> bool {
+        let behind = self.0.partition_point(|range| range.start <= p);
+        behind > 0 && self.0[behind - 1].contains(&p)
+    }
+
+    /// From the first to the last of them.
+    #[must_use]
+    pub fn span(&self) -> Range<usize> {
+        match (self.0.first(), self.0.last()) {
+            (Some(first), Some(last)) => first.start..last.end,
+            _ => 0..0,
+        }
+    }
+}
+
+impl FromIterator<Range<usize>> for OwnParticles {
+    fn from_iter<I: IntoIterator<Item = Range<usize>>>(ranges: I) -> Self {
+        Self(ranges.into_iter().filter(|range| !range.is_empty()).collect())
+    }
 }
 
 impl ParticleSet {
@@ -28,6 +84,7 @@ impl ParticleSet {
             id: (first_id..first_id + count as u64).collect(),
             columns: vec![vec![0.0; count]; layout.columns],
             layers: vec![],
+            rows: vec![],
         };
         for (variable, _, column) in layout.components() {
             set.columns[column].fill(variable.initial);
@@ -172,7 +229,7 @@ impl ParticleSet {
             .collect();
         self.permute(&keep, team);
         // Each layer begins earlier by the number of particles that were removed before it.
-        for start in &mut self.layers {
+        for start in self.layers.iter_mut().chain(&mut self.rows) {
             *start -= gone.partition_point(|p| *p < *start);
         }
     }
@@ -184,21 +241,90 @@ impl ParticleSet {
             id: vec![],
             columns: vec![vec![]; self.columns.len()],
             layers: vec![],
+            rows: vec![],
         }
     }
 
-    /// Keeps the particles of some base layers alone, as of the last sort.
-    pub(crate) fn keep_layers(&mut self, layers: Range<usize>) {
-        let kept = self.in_layers(layers);
+    /// Particles of the base layers and rows of a block, as of the last sort. Without rows all particles of a layer are in the
+    /// first of them.
+    pub(crate) fn in_block(&self, NodeBlock { planes, rows }: &NodeBlock, shape: &GridShape) -> OwnParticles {
+        let per_layer = shape.bases()[1];
+        let rows = rows.start.min(per_layer)..rows.end.min(per_layer);
+        if rows.is_empty() {
+            return OwnParticles::from_iter([]);
+        }
+        if rows == (0..per_layer) {
+            return OwnParticles::from_iter([self.in_layers(planes.clone())]);
+        }
+        let layers = self.layers.len() - 1;
+        let planes = planes.start.min(layers)..planes.end.min(layers);
+        if self.rows.is_empty() {
+            let whole = if rows.start == 0 { planes } else { 0..0 };
+            return OwnParticles::from_iter([self.in_layers(whole)]);
+        }
+        let start = |layer: usize, row: usize| self.rows[layer * per_layer + row];
+        planes
+            .map(|layer| start(layer, rows.start)..start(layer, rows.end))
+            .collect()
+    }
+
+    /// Number of the base row of a particle among those of all layers, as of the last sort.
+    #[must_use]
+    pub fn base_row(&self, p: usize, shape: &GridShape) -> usize {
+        if self.rows.is_empty() {
+            (self.layers.partition_point(|start| *start <= p) - 1) * shape.bases()[1]
+        } else {
+            self.rows.partition_point(|start| *start <= p) - 1
+        }
+    }
+
+    /// First particle behind a base row, by its number among those of all layers, as of the last sort.
+    pub(crate) fn end_of_base_row(&self, row: usize, shape: &GridShape) -> usize {
+        if self.rows.is_empty() {
+            self.layers[row / shape.bases()[1] + 1]
+        } else {
+            self.rows[row + 1]
+        }
+    }
+
+    /// Knows the particles of each base row, from those that have any, in their order, and where asked for the rows themselves.
+    pub(crate) fn set_rows(
+        &mut self,
+        in_rows: impl Iterator<Item = (usize, usize)>,
+        keeps_rows: bool,
+        shape: &GridShape,
+    ) {
+        let [layers, per_layer, _] = shape.bases();
+        let mut rows = vec![];
+        let mut before = 0;
+        for (row, count) in in_rows {
+            rows.resize(row + 1, before);
+            before += count;
+        }
+        rows.resize(layers * per_layer + 1, before);
+        self.layers = rows.iter().copied().step_by(per_layer).collect();
+        self.rows = if keeps_rows { rows } else { vec![] };
+    }
+
+    /// Keeps some particles alone.
+    pub(crate) fn keep(&mut self, kept: &OwnParticles) {
+        let of = |starts: &mut Vec<usize>| {
+            // Kept particles before a place.
+            let (mut before, mut ranges) = (0, kept.ranges().iter().peekable());
+            for start in starts {
+                while let Some(range) = ranges.next_if(|range| range.end <= *start) {
+                    before += range.len();
+                }
+                let begun = ranges.peek().map_or(0, |range| start.saturating_sub(range.start));
+                *start = before + begun;
+            }
+        };
+        of(&mut self.layers);
+        of(&mut self.rows);
         for column in &mut self.columns {
-            column.truncate(kept.end);
-            column.drain(..kept.start);
+            keep_ranges(column, kept.ranges());
         }
-        self.id.truncate(kept.end);
-        self.id.drain(..kept.start);
-        for start in &mut self.layers {
-            *start = (*start).clamp(kept.start, kept.end) - kept.start;
-        }
+        keep_ranges(&mut self.id, kept.ranges());
     }
 
     /// All columns at the given increasing particle ranges, which must not overlap.
@@ -218,6 +344,16 @@ impl ParticleSet {
             (range, own)
         })
     }
+}
+
+/// Keeps some ranges of a list, which increase.
+fn keep_ranges<T: Copy>(list: &mut Vec<T>, ranges: &[Range<usize>]) {
+    let mut count = 0;
+    for range in ranges {
+        list.copy_within(range.clone(), count);
+        count += range.len();
+    }
+    list.truncate(count);
 }
 
 /// Internal variables of a particle.

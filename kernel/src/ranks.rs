@@ -1,7 +1,8 @@
 //! Ranks: processes that share one simulation, and the messages between them.
 //!
-//! Each rank owns a range of node planes along the first axis and the particles that begin there, and holds copies (ghosts) of
-//! the particles beside it that reach its planes. It computes its ghosts once more, in the order in which one process would, so
+//! Each rank owns a block of node planes along the first axis, and of rows along the second where there are more ranks than
+//! planes have room for, and the particles that begin there. It holds copies (ghosts) of the particles beside it that reach its
+//! nodes. It computes its ghosts once more, in the order in which one process would, so
 //! that no bit depends on the number of ranks: see [`Cycle::share_among`](crate::simulation::Cycle::share_among). This file
 //! names the messages that a step needs; an engine such as MPI sends them.
 
@@ -28,9 +29,9 @@ pub trait Ranks: Send + Sync {
     /// Sends a part to each rank, in their order; the part that each rank sent here, in their order.
     fn all_to_all(&self, parts: Vec<Vec<u64>>) -> Vec<Vec<u64>>;
 
-    /// Sends words to the rank before and to the one after; the words that these sent here. The first and the last rank have
-    /// one neighbour: what they send beyond goes nowhere, and nothing comes from there.
-    fn exchange(&self, to: [Vec<u64>; 2]) -> [Vec<u64>; 2];
+    /// Sends words to two other ranks, where there are any; the words that these sent here. A rank that names another is named
+    /// by it.
+    fn exchange(&self, with: [Option<usize>; 2], to: [Vec<u64>; 2]) -> [Vec<u64>; 2];
 
     /// Time that this rank has spent in messages so far, until the others answered; zero where nobody measures it.
     fn message_time(&self) -> Duration {

@@ -290,17 +290,17 @@ fn gather<T: Copy>(column: &mut Vec<T>, order: &[u32], spare: &mut Vec<T>) {
     std::mem::swap(column, spare);
 }
 
-/// Base layers along the first axis in which a sort would find some particles of a set now.
-pub(crate) fn layers_now(
+/// Numbers of the base rows, among those of all layers, in which a sort would find some particles of a set now.
+pub(crate) fn rows_now(
     set: &ParticleSet,
-    particles: Range<usize>,
+    particles: impl Iterator<Item = usize>,
     shape: &GridShape,
     (family, stencil): (Family, usize),
 ) -> Vec<usize> {
-    let [_, middle, fast] = shape.bases();
+    let [.., fast] = shape.bases();
     let numbering = Numbering::new(shape, family.sort_offset(stencil), &Cells::all(shape));
-    let layer = |p| numbering.key(set, p) as usize / (middle * fast);
-    particles.map(layer).collect()
+    let row = |p| numbering.key(set, p) as usize / fast;
+    particles.map(row).collect()
 }
 
 /// Finds the active rows of sets that are not to be sorted now, after a restart. Their particles may cross less than

@@ -168,15 +168,12 @@ impl Ranks for World {
         })
     }
 
-    fn exchange(&self, to: [Vec<u64>; 2]) -> [Vec<u64>; 2] {
-        let below = self.rank.checked_sub(1);
-        let above = Some(self.rank + 1).filter(|rank| *rank < self.count);
+    fn exchange(&self, with: [Option<usize>; 2], to: [Vec<u64>; 2]) -> [Vec<u64>; 2] {
         self.speak(|world| {
             let process = |rank: usize| world.process_at_rank(rank as i32);
             let mut received = [vec![], vec![]];
             scope(|scope| {
-                let neighbours = [below, above];
-                let sends = neighbours.iter().zip(&to);
+                let sends = with.iter().zip(&to);
                 let _sent: Vec<_> = sends
                     .filter_map(|(rank, words)| {
                         let rank = (*rank)?;
@@ -184,7 +181,7 @@ impl Ranks for World {
                         Some(WaitGuard::from(sent))
                     })
                     .collect();
-                for (rank, words) in neighbours.iter().zip(&mut received) {
+                for (rank, words) in with.iter().zip(&mut received) {
                     if let Some(rank) = *rank {
                         *words = process(rank).receive_vec().0;
                     }

@@ -111,19 +111,14 @@ impl Ranks for ThreadRank {
         self.swap(parts)
     }
 
-    fn exchange(&self, [below, above]: [Vec<u64>; 2]) -> [Vec<u64>; 2] {
+    fn exchange(&self, with: [Option<usize>; 2], to: [Vec<u64>; 2]) -> [Vec<u64>; 2] {
         let mut parts = vec![vec![]; self.count];
-        if let Some(rank) = self.rank.checked_sub(1) {
-            parts[rank] = below;
-        }
-        if let Some(part) = parts.get_mut(self.rank + 1) {
-            *part = above;
+        for (rank, words) in with.iter().zip(to) {
+            if let Some(rank) = *rank {
+                parts[rank] = words;
+            }
         }
         let mut received = self.swap(parts);
-        let mut from = |rank: Option<usize>| {
-            let words = rank.and_then(|rank| received.get_mut(rank));
-            words.map(std::mem::take).unwrap_or_default()
-        };
-        [from(self.rank.checked_sub(1)), from(Some(self.rank + 1))]
+        with.map(|rank| rank.map_or_else(Vec::new, |rank| std::mem::take(&mut received[rank])))
     }
 }

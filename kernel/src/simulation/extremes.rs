@@ -30,7 +30,7 @@ impl Cycle {
             if solid && self.domains_do_not_follow() && set.layout.deformation.is_some() {
                 let mut masses = [ExactSum::ZERO; 2];
                 let [whole, beyond] = &mut masses;
-                for p in self.own_particles(set) {
+                for p in self.own_particles(set).iter() {
                     let ratio = stretch_ratio(set, p).unwrap_or(0.0);
                     let mass = set.columns[Layout::MASS][p];
                     all.stretch_ratio = all.stretch_ratio.max(ratio);

@@ -36,7 +36,7 @@ impl Cycle {
         let (gone, here) = match self.outside(set) {
             Ok(gone) => {
                 let own = self.own_particles(&self.state.sets[set]);
-                let here = gone.iter().filter(|p| own.contains(p));
+                let here = gone.iter().filter(|p| own.contains(**p));
                 let here = here.map(|&p| self.account(set, p)).collect();
                 (gone, Ok(here))
             }

@@ -6,10 +6,10 @@
 //! a body has left most of it. All fields are cut into the same slabs, so that whoever owns a slab owns all fields of its nodes.
 
 use super::touched_nodes::TouchedNodes;
-use crate::grid::{ActiveRows, GridShape, Line, Nodes};
+use crate::grid::{ActiveRows, GridShape, Line, NodeBlock, Nodes};
 use crate::lanes::SelectedLanes;
 use crate::particles::ParticleSet;
-use crate::sorting::{Sorter, rows_of};
+use crate::sorting::{Sorter, rows_now, rows_of};
 use crate::stage::solve::Planes;
 use crate::team::Team;
 use crate::weights::Family;
@@ -93,6 +93,8 @@ pub struct Grid {
     pub slabs: Vec<Range<usize>>,
     /// Planes that this process owns: all, where no ranks share the simulation.
     pub(super) owned: Range<usize>,
+    /// Rows that it owns in each of them; all where there is none.
+    owned_rows: Option<Range<usize>>,
     /// True where two fields share their velocity where they meet, by number, row by row.
     pub joined: Vec<bool>,
     /// Threads that share the slabs.
@@ -143,6 +145,13 @@ impl<'a> Slab<'a> {
         self.fields[0].planes.range.clone()
     }
 
+    /// True for a row of nodes that this process owns.
+    #[must_use]
+    #[inline]
+    pub fn owns_row(&self, row: usize) -> bool {
+        self.fields[0].planes.rows.owns(row)
+    }
+
     /// Number of the field of a body.
     #[must_use]
     #[inline]
@@ -171,6 +180,7 @@ impl Grid {
             }],
             slabs: std::iter::once(owned.clone()).collect(),
             owned,
+            owned_rows: None,
             joined: vec![true],
             shape,
             team,
@@ -197,6 +207,13 @@ impl Grid {
         };
         let rows = &mut self.fields[0].rows;
         (self.sorter).sort(sets, &self.shape, reach, lanes, team, rows);
+        for set in &mut *sets {
+            set.rows.clear();
+            if self.owned_rows.is_some() {
+                let of_particles = rows_now(set, 0..set.len(), &self.shape, reach);
+                set.rows = starts_of_rows(&of_particles, &self.shape);
+            }
+        }
         if self.touched.add(rows, &self.shape) {
             for field in &mut self.fields {
                 // Old memory first.
@@ -207,10 +224,33 @@ impl Grid {
         self.cut(sets);
     }
 
-    /// Owns these planes from here on, and cuts them into slabs.
-    pub(super) fn own(&mut self, planes: Range<usize>, sets: &[ParticleSet]) {
-        self.owned = planes;
+    /// Owns these planes and rows from here on, and cuts the planes into slabs.
+    pub(super) fn own(&mut self, block: NodeBlock, sets: &[ParticleSet]) {
+        self.set_owned(block);
         self.cut(sets);
+    }
+
+    /// Owns these planes and rows from the next sort on.
+    pub(super) fn set_owned(&mut self, NodeBlock { planes, rows }: NodeBlock) {
+        self.owned = planes;
+        self.owned_rows = (rows != (0..self.shape.nodes[1])).then_some(rows);
+        for field in &mut self.fields {
+            field.rows.own(self.owned_rows.clone());
+        }
+    }
+
+    /// True where other ranks own some rows of the planes.
+    pub(super) fn shares_rows(&self) -> bool {
+        self.owned_rows.is_some()
+    }
+
+    /// The planes and rows that this process owns.
+    pub(super) fn block(&self) -> NodeBlock {
+        let all = 0..self.shape.nodes[1];
+        NodeBlock {
+            planes: self.owned.clone(),
+            rows: self.owned_rows.clone().unwrap_or(all),
+        }
     }
 
     /// Takes up sets in the order in which they are, after a restart.
@@ -237,6 +277,7 @@ impl Grid {
         let phase = (Owner::Phase, std::mem::take(&mut self.fields[0].rows));
         let of_body = |&body| {
             let mut rows = ActiveRows::default();
+            rows.own(self.owned_rows.clone());
             rows_of(&sets[body..=body], &self.shape, stencil, &mut rows);
             (Owner::Body(body), rows)
         };
@@ -416,6 +457,17 @@ impl Grid {
         self.team
             .each(slabs.zip(parts), |(slab, part)| act(slab, part));
     }
+}
+
+/// The first particle of each base row of all layers, and the number of particles, from the row of each particle, which increase.
+fn starts_of_rows(of_particles: &[usize], shape: &GridShape) -> Vec<usize> {
+    let [layers, rows, _] = shape.bases();
+    let mut starts = Vec::with_capacity(layers * rows + 1);
+    for (p, row) in of_particles.iter().enumerate() {
+        starts.resize(starts.len().max(row + 1), p);
+    }
+    starts.resize(layers * rows + 1, of_particles.len());
+    starts
 }
 
 /// `count` particles in shares of about the same size, `most` at most.

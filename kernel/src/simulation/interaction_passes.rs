@@ -208,7 +208,7 @@ impl Cycle {
     fn exchange_to_settle(&mut self) {
         let reads = self.interactions().any(Interaction::settles_across_ranks);
         if reads {
-            self.exchange_planes();
+            self.exchange_nodes();
         }
     }
 

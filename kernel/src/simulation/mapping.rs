@@ -1,7 +1,7 @@
 //! The mapping of particles to the nodes of their velocity fields.
 
 use super::fields::{Owner, Slab, SlabField};
-use crate::grid::{GHOSTS_BELOW, GridShape};
+use crate::grid::{GHOSTS_BELOW, GridShape, NodeBlock};
 use crate::lanes::SelectedLanes;
 use crate::layout::Layout;
 use crate::model::Vector;
@@ -116,6 +116,24 @@ impl ParticleToGrid<'_> {
         groups
     }
 
+    /// Number of groups of the particles of a block of planes and rows, where rows are cut.
+    pub(super) fn groups_of_rows(&self, block: &NodeBlock, shape: &GridShape) -> usize {
+        let nodes = self.family.stage_nodes(self.stencil);
+        let mut groups = 0;
+        for (index, (set, body)) in self.sets.iter().zip(self.bodies).enumerate() {
+            if body.motion.is_some() && !self.own_field[index] {
+                continue;
+            }
+            for own in set.in_block(block, shape).ranges() {
+                let layer = set.layers.partition_point(|start| *start <= own.start) - 1;
+                let layer = set.in_layers(layer..layer + 1);
+                let by = (set.layout.axes, nodes);
+                groups += p2g::groups_from(&set.columns, &body.mapping, by, layer, own);
+            }
+        }
+        groups
+    }
+
     /// Rate of viscous damping of all bodies of a field \[1/s\]; `None` where they differ or momentum has an affine part:
     /// what it takes is not known at the nodes then.
     pub(super) fn viscous_rate(&self, owner: Owner) -> Option<f64> {
@@ -176,7 +194,8 @@ impl ParticleToGrid<'_> {
         }
     }
 
-    /// Particles of each layer of a body that reaches planes, and whether the planes have the layer.
+    /// Particles of each layer of a body that reaches planes, and whether the planes have the layer. Where rows are cut, nobody has
+    /// a layer: see [`ParticleToGrid::groups_of_rows`].
     fn layers_of<'s>(
         &'s self,
         index: usize,
@@ -184,9 +203,13 @@ impl ParticleToGrid<'_> {
     ) -> impl Iterator<Item = (Range<usize>, bool)> + use<'s> {
         let set = &self.sets[index];
         let (onto, owned) = (self.layers_onto(planes), planes.range.clone());
+        let counts = !planes.rows.is_cut();
         let layers = onto.start..onto.end.min(set.layers.len() - 1);
         layers
-            .map(move |layer| (set.in_layers(layer..layer + 1), owned.contains(&layer)))
+            .map(move |layer| {
+                let particles = set.in_layers(layer..layer + 1);
+                (particles, counts && owned.contains(&layer))
+            })
             .filter(|(particles, _)| !particles.is_empty())
     }
 

@@ -168,11 +168,14 @@ impl Cycle {
         let team = self.work.grid.team_of_particles();
         let own = self.own_particles(set);
         let share = team.share(own.len(), ItemCost::Small);
-        let firsts = own.clone().step_by(share);
+        let parts = own.ranges().iter().flat_map(|range| {
+            let firsts = range.clone().step_by(share);
+            firsts.map(|first| first..(first + share).min(range.end))
+        });
         let sums = Mutex::new(sums);
-        team.each(firsts, |first| {
+        team.each(parts, |particles| {
             let mut part = [ExactSum::ZERO; K];
-            for p in first..(first + share).min(own.end) {
+            for p in particles {
                 for (sum, term) in part.iter_mut().zip(terms(p)) {
                     sum.add(term);
                 }
@@ -261,6 +264,7 @@ impl Cycle {
         let square: f64 = set.velocity(p).iter().map(|c| c * c).sum();
         let kinetic = 0.5 * set.columns[Layout::MASS][p] * square;
         Removed {
+            base_row: self.base_row(index, p),
             at: self.particle_at(index, p),
             energy: kinetic + self.strain_energy_of(index, p) + self.plastic_work_of(index, p),
             load: self.dead_load(set, p),

@@ -1,6 +1,6 @@
 //! The equation of motion at the nodes of one slab, the same for all velocity fields.
 
-use super::fields::{Owner, Slab};
+use super::fields::{Grid, Owner, Slab};
 use super::interactions::{SlabInteraction, SlabPart};
 use super::phase::{Phase, PhaseTimer};
 use super::water;
@@ -241,6 +241,15 @@ impl StepContext<'_> {
         let groups = self.mapping.run(slab);
         fold(slab, self);
         groups
+    }
+
+    /// Groups of the own particles of a rank that shares the rows of its planes; those of whole layers are counted in the mapping.
+    pub(super) fn groups_of_rows(&self, grid: &Grid) -> usize {
+        if grid.shares_rows() {
+            self.mapping.groups_of_rows(&grid.block(), &grid.shape)
+        } else {
+            0
+        }
     }
 
     /// The same for a second mapping, of the velocities after the kick.

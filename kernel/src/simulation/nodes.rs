@@ -9,6 +9,8 @@ use std::collections::HashMap;
 /// One velocity field at a node.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NodeValues {
+    /// Index of the node in the grid.
+    pub node: usize,
     /// Position in the coordinates of the scene \[m\].
     pub position: Vector,
     /// Identifier of the body whose own field this is; `None` for the common field.
@@ -30,7 +32,7 @@ impl Cycle {
     pub fn nodes_with_mass(&self) -> usize {
         let mut count = 0;
         for plane in self.work.grid.owned.clone() {
-            for row in 0..self.work.grid.shape.nodes[1] {
+            for row in self.work.grid.block().rows {
                 let first = self.work.grid.shape.index([plane, row, 0]);
                 count += self.work.grid.fields[0]
                     .rows
@@ -55,7 +57,7 @@ impl Cycle {
         let mut all = vec![];
         for (body, rows, lines) in self.fields() {
             for plane in self.work.grid.owned.clone() {
-                for row in 0..self.work.grid.shape.nodes[1] {
+                for row in self.work.grid.block().rows {
                     let first = self.work.grid.shape.index([plane, row, 0]);
                     for k in rows.span(plane, row) {
                         let (node, line) = (first + k, &lines[first + k]);
@@ -68,6 +70,7 @@ impl Cycle {
                             .copied()
                             .unwrap_or(([0.0; 3], f64::NAN));
                         all.push(NodeValues {
+                            node,
                             position: std::array::from_fn(|a| local[a] + self.origin()[a]),
                             body: body.map(|b| self.model.bodies[b].id),
                             mass: line[0],

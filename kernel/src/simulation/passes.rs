@@ -123,7 +123,7 @@ impl Cycle {
     pub(super) fn p2g(&mut self) {
         let nodal = self.nodal_conditions(self.state.clock.dt_before);
         let VisitParts { context, grid, .. } = self.divide(Carry::All, &nodal);
-        let groups = AtomicUsize::new(0);
+        let groups = AtomicUsize::new(context.groups_of_rows(grid));
         grid.visit(|mut slab| {
             groups.fetch_add(context.map(&mut slab), atomic::Ordering::Relaxed);
         });
@@ -131,7 +131,7 @@ impl Cycle {
         let groups = self.join_count(groups.into_inner());
         self.state.groups.count(groups);
         // Loads look at the masses of the nodes around theirs.
-        self.exchange_planes();
+        self.exchange_nodes();
         self.work.phase_timer.end(Phase::P2gAndSolve);
     }
 
@@ -193,6 +193,11 @@ impl Cycle {
         let mut parts = SlabParts::new();
         on_slabs(interactions, grid, VelocityMapping::Trial, &mut parts);
         let timers = timer.of_slabs(grid.slabs.len());
+        let groups_of_rows = if with_p2g {
+            context.groups_of_rows(grid)
+        } else {
+            0
+        };
         let all = (solved.iter_mut().zip(in_turn(&mut parts))).zip(timers);
         grid.visit_with(all, |mut slab, ((solved, parts), timer)| {
             solved.groups = if with_p2g { context.map(&mut slab) } else { 0 };
@@ -200,6 +205,9 @@ impl Cycle {
             solved.empty = solve(&mut slab, interactions, &context, &mut solved.sums).err();
         });
         drop(parts);
+        if let Some(first) = solved.first_mut() {
+            first.groups += groups_of_rows;
+        }
         self.work.solved = solved;
         let all = self.join_slabs();
         if let Some(EmptyNode(node)) = all.empty {
@@ -211,7 +219,7 @@ impl Cycle {
         if settles {
             self.work.phase_timer.end(Phase::Contact);
         }
-        self.exchange_planes();
+        self.exchange_nodes();
         Ok((touching, all.groups))
     }
 
@@ -300,7 +308,7 @@ impl Cycle {
         if self.interactions().any(Interaction::settles) {
             self.work.phase_timer.end(Phase::Contact);
         }
-        self.exchange_planes();
+        self.exchange_nodes();
         Ok(())
     }
 

@@ -1,7 +1,6 @@
 //! Hash of the particle state, which is that of one process whoever has the particles.
 
 use crate::particles::ParticleSet;
-use std::ops::Range;
 
 /// FNV-1a hash, 64 bits, over identifier and the bits of every column of all particles in order of the
 /// identifier, set by set. Equal for every number of threads and every kind of lanes.
@@ -52,15 +51,17 @@ impl StateHash {
 
 /// Fills `places` with the places of some particles of a set in order of the identifier. Identifiers of a set are consecutive
 /// but for removed particles, so that a table of places takes the time of one pass.
-pub(super) fn by_identifier(set: &ParticleSet, particles: Range<usize>, places: &mut Vec<u32>) {
-    let ids = &set.id[particles.clone()];
-    let (first, last) = ids.iter().fold((u64::MAX, 0), |(low, high), &id| {
-        (low.min(id), high.max(id))
-    });
+pub(super) fn by_identifier(
+    set: &ParticleSet,
+    particles: impl Iterator<Item = usize> + Clone,
+    places: &mut Vec<u32>,
+) {
+    let ids = particles.clone().map(|p| set.id[p]);
+    let (first, last) = ids.fold((u64::MAX, 0), |(low, high), id| (low.min(id), high.max(id)));
     places.clear();
     places.resize((last + 1).saturating_sub(first) as usize, u32::MAX);
-    for (p, &id) in particles.zip(ids) {
-        places[(id - first) as usize] = p as u32;
+    for p in particles {
+        places[(set.id[p] - first) as usize] = p as u32;
     }
     places.retain(|&p| p != u32::MAX);
 }

@@ -4,14 +4,13 @@ use super::BaseVelocity;
 use crate::lanes::SelectedLanes;
 use crate::layout::Layout;
 use crate::model::{CycleSettings, Vector};
-use crate::particles::ParticleSet;
+use crate::particles::{OwnParticles, ParticleSet};
 use crate::ranks::Ranks;
 use crate::simulation::fields::Grid;
 use crate::simulation::values::{BodyRun, Clock, Event, EventKind, ParticleAt};
 use crate::stage::g2p::ParticleMaxima;
 use crate::stage::solve::StepSums;
 use crate::team::Team;
-use std::ops::Range;
 
 /// A simulation in a step, as an interaction reads it.
 #[derive(Clone, Copy)]
@@ -68,11 +67,11 @@ impl<'a> StepView<'a> {
 
     /// Particles of a set that this process owns; all, where no ranks share them.
     #[must_use]
-    pub fn own_particles(&self, set: usize) -> Range<usize> {
+    pub fn own_particles(&self, set: usize) -> OwnParticles {
         let particles = &self.particles[set];
         match self.ranks {
-            None => 0..particles.len(),
-            Some(_) => particles.in_layers(self.grid.owned.clone()),
+            None => OwnParticles::from_iter([0..particles.len()]),
+            Some(_) => particles.in_block(&self.grid.block(), &self.grid.shape),
         }
     }
 

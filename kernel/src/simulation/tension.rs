@@ -274,7 +274,7 @@ impl Cycle {
         let mut sum = ExactSum::ZERO;
         for (_, rows, lines) in self.fields() {
             for plane in self.work.grid.owned.clone() {
-                for row in 0..shape.nodes[1] {
+                for row in self.work.grid.block().rows {
                     let start = shape.index([plane, row, 0]);
                     for k in rows.span(plane, row) {
                         let line = &lines[start + k];

@@ -237,6 +237,9 @@ impl Planes<'_> {
         let (shape, rows) = (self.shape, self.rows);
         for load in owned(loads, |l| l.node, first, self.nodes.len()) {
             let [plane, row, k] = shape.indices(load.node);
+            if !rows.owns(row) {
+                continue;
+            }
             let node = &mut self.nodes[load.node - first];
             // A node outside the active rows still holds what it had when a particle was near.
             if !rows.span(plane, row).contains(&k) || node[0] <= 0.0 {
@@ -327,6 +330,9 @@ impl Planes<'_> {
         if kick > 0.0 {
             for d in owned(driven, |d| d.node, first, self.nodes.len()) {
                 let index = d.node - first;
+                if !self.rows.owns(self.shape.indices(d.node)[1]) {
+                    continue;
+                }
                 for axis in 0..3 {
                     let node = &self.nodes[index];
                     let power = power(node, axis, d.before[axis], d.after[axis], kick);
@@ -357,6 +363,9 @@ impl Planes<'_> {
     pub(crate) fn add_power_of_loads(&self, loads: &[NodeForce], sums: &mut ExactStepSums) {
         let first = self.first();
         for load in owned(loads, |l| l.node, first, self.nodes.len()) {
+            if !self.rows.owns(self.shape.indices(load.node)[1]) {
+                continue;
+            }
             let v = &self.nodes[load.node - first];
             let power = load.force[0] * v[1] + load.force[1] * v[2] + load.force[2] * v[3];
             sums.add(StepSum::Power, power);
@@ -417,6 +426,7 @@ impl Planes<'_> {
                     }
                 }
             }
+            1 if !(self.rows.owns(a) && self.rows.owns(b)) => {}
             1 => {
                 for plane in self.range.clone() {
                     for k in common(self.rows.span(plane, a), self.rows.span(plane, b)) {

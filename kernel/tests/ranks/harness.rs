@@ -71,9 +71,32 @@ pub(super) fn strip(dimension: Dimension) -> Scene {
     scene
 }
 
-/// Velocities and stresses that are rough, and a drift along the strip.
+/// A plate of two bodies in space with few planes and many rows, along which it flies and breathes.
+pub(super) fn plate() -> Scene {
+    let mut scene = empty(Dimension::Three, [7, 22, 6], 0.1);
+    scene.bodies = vec![
+        body(1, cuboid([0.1, 0.3, 0.2], [0.6, 1.03, 0.4])),
+        body(2, cuboid([0.1, 1.03, 0.2], [0.6, 1.9, 0.4])),
+    ];
+    scene.materials = vec![
+        material(elastic(1.0e3, 0.3)),
+        material(NeoHookean::new(1.0e3, 0.3)),
+    ];
+    scene.bodies[1].material = 1;
+    scene.bodies[1].particles_per_cell = [1, 2, 1];
+    scene.mesh.planes = [[PlaneCondition::Sliding; 2]; 3];
+    scene.gravity = [-10.0, 3.0, 0.0];
+    scene
+}
+
+/// Velocities and stresses that are rough, and a drift along the longest axis.
 pub(super) fn drifting(scene: &Scene, drift: f64) -> InitialField {
-    rough_drift(scene.dimension, [drift, 1.0, 0.0], 0.1, 1.0, 3)
+    let along = if scene.mesh.cells[0] > scene.mesh.cells[1] {
+        [drift, 1.0, 0.0]
+    } else {
+        [1.0, drift, 0.0]
+    };
+    rough_drift(scene.dimension, along, 0.1, 1.0, 3)
 }
 
 pub(super) fn start(scene: &Scene, threads: usize, initial: &InitialField) -> Simulation {

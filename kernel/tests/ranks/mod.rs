@@ -5,6 +5,7 @@ mod conditions;
 mod contact;
 mod driven_shapes;
 mod harness;
+mod rows;
 mod surfaces;
 mod threads;
 mod water;

@@ -54,9 +54,9 @@ impl Ranks for Thread {
         self.rank.all_to_all(parts)
     }
 
-    fn exchange(&self, to: [Vec<u64>; 2]) -> [Vec<u64>; 2] {
+    fn exchange(&self, with: [Option<usize>; 2], to: [Vec<u64>; 2]) -> [Vec<u64>; 2] {
         let bytes = 8 * to.iter().map(Vec::len).sum::<usize>();
         self.sent.fetch_add(bytes, Ordering::Relaxed);
-        self.rank.exchange(to)
+        self.rank.exchange(with, to)
     }
 }

@@ -183,7 +183,7 @@ impl ContactNodes {
             .least
             .extend(owners.map(|owner| bodies.least_mass(owner)));
         for plane in fields.range() {
-            for row in 0..shape.nodes[1] {
+            for row in (0..shape.nodes[1]).filter(|row| fields.slab.owns_row(*row)) {
                 let Some(span) = shared_span(fields, plane, row) else {
                     continue;
                 };

@@ -104,23 +104,27 @@ impl NearParticles {
     ) {
         let (particles, body) = (&view.particles[set], &view.bodies[set]);
         let (shift, threshold) = (self.now[surface].shift, rigid.widest_threshold());
+        let own = view.own_particles(set);
         let triangle = |p: usize| {
+            if !own.contains(p) {
+                return None;
+            }
             let reach = length(&rigid.half_lengths(half_lengths(particles, body, p)));
             let within = threshold + reach + margin;
             let nearest = rigid.nearest(view, &particles.position(p), &shift, within, None);
             nearest.map(|nearest| nearest.triangle)
         };
         let team = view.team();
-        let own = view.own_particles(set);
+        let span = own.span();
         team.fill(
-            own.clone(),
+            span.clone(),
             ItemCost::Search,
             triangle,
             &None,
             &mut self.nearest,
         );
-        let place = |p: usize| p - own.start;
-        let found = own.clone().filter(|&p| self.nearest[place(p)].is_some());
+        let place = |p: usize| p - span.start;
+        let found = own.iter().filter(|&p| self.nearest[place(p)].is_some());
         self.by_id.clear();
         self.by_id.extend(found.map(|p| (particles.id[p], p)));
         self.by_id.sort_unstable();

@@ -128,8 +128,8 @@ pub(super) fn all(
     surfaces.chain(driven).collect()
 }
 
-/// Notes where driven bodies are at the start, each by the first of its particles: where ranks share the step, by that of the first
-/// rank that owns any.
+/// Notes where driven bodies are at the start, each by the first of its particles: where ranks share the step, the first
+/// on any rank.
 pub(super) fn note_starts(rigid: &mut [RigidObstacle], view: &StepView<'_>) {
     for one in rigid {
         let RigidObstacle::Driven(driven) = one else {
@@ -139,11 +139,14 @@ pub(super) fn note_starts(rigid: &mut [RigidObstacle], view: &StepView<'_>) {
             continue;
         }
         let set = &view.particles[driven.body];
-        let first = view.own_particles(driven.body).next();
-        let here = first.map(|p| (set.id[p], set.position(p)));
+        let first = view.own_particles(driven.body).iter().next();
         driven.start = match view.ranks {
-            None => here,
-            Some(ranks) => first_of(ranks, here),
+            None => first.map(|p| (set.id[p], set.position(p))),
+            Some(ranks) => {
+                let place = |p: usize| set.base_row(p, &view.grid.shape) as u64;
+                let here = first.map(|p| (place(p), set.id[p], set.position(p)));
+                first_of(ranks, here)
+            }
         };
     }
 }
@@ -158,21 +161,22 @@ pub(super) fn join_shifts(
 ) {
     for (one, now) in rigid.iter().zip(now) {
         if let RigidObstacle::Driven(driven) = one {
-            let here = driven.known_shift(view).map(|shift| (0, shift));
+            let here = driven.known_shift(view).map(|shift| (0, 0, shift));
             now.shift = first_of(ranks, here).map_or([0.0; 3], |(_, shift)| shift);
         }
     }
 }
 
-/// An identifier and a vector from the first rank that has them.
-fn first_of(ranks: &dyn Ranks, here: Option<(u64, Vector)>) -> Option<(u64, Vector)> {
+/// An identifier and a vector from the rank that has them at the first place.
+fn first_of(ranks: &dyn Ranks, here: Option<(u64, u64, Vector)>) -> Option<(u64, Vector)> {
     let mut words = vec![];
-    if let Some((id, vector)) = here {
-        words.push(id);
+    if let Some((place, id, vector)) = here {
+        words.extend([place, id]);
         words.extend(vector.map(f64::to_bits));
     }
     let all = ranks.all_gather(&words);
-    let mut first = Words::of(all.iter().find(|words| !words.is_empty())?);
+    let found = all.iter().filter(|words| !words.is_empty());
+    let mut first = Words::of(&found.min_by_key(|words| words[0])?[1..]);
     Some((first.word(), [(); 3].map(|()| first.number())))
 }
 

@@ -18,14 +18,14 @@ pub(super) struct FramePart {
     pub(super) frame: Frame,
     /// Places of the points in the whole, in their order: of two parts the point with the smaller place comes first, of equal
     /// places that of the rank before.
-    pub(super) places: Vec<[u64; 2]>,
+    pub(super) places: Vec<[u64; 3]>,
 }
 
 impl FramePart {
     /// A frame that one process has.
     pub(super) fn whole(frame: Frame) -> Self {
         Self {
-            places: vec![[0, 0]; frame.points.len()],
+            places: vec![[0; 3]; frame.points.len()],
             frame,
         }
     }
@@ -138,9 +138,9 @@ fn pack(part: &FramePart) -> Vec<u64> {
 }
 
 /// Appends a packed part to the whole.
-fn unpack(words: &mut Words<'_>, whole: &mut Frame, places: &mut Vec<[u64; 2]>) {
+fn unpack(words: &mut Words<'_>, whole: &mut Frame, places: &mut Vec<[u64; 3]>) {
     let count = words.count();
-    places.extend_from_slice(words.take(2 * count).as_chunks().0);
+    places.extend_from_slice(words.take(3 * count).as_chunks().0);
     let vectors = |words: &[u64]| -> Vec<[f64; 3]> {
         let vectors = words.as_chunks().0.iter();
         vectors.map(|v: &[u64; 3]| v.map(f64::from_bits)).collect()
@@ -163,14 +163,14 @@ fn unpack(words: &mut Words<'_>, whole: &mut Frame, places: &mut Vec<[u64; 2]>) 
 pub(super) fn of_particles(simulation: &Simulation) -> FramePart {
     let mut order: Vec<(usize, usize)> = vec![];
     for (s, set) in simulation.sets().iter().enumerate() {
-        let mut own: Vec<usize> = simulation.own_particles(set).collect();
+        let mut own: Vec<usize> = simulation.own_particles(set).iter().collect();
         own.sort_unstable_by_key(|&p| set.id[p]);
         order.extend(own.into_iter().map(|p| (s, p)));
     }
     let mut fields = simulation.scene().results.fields.clone();
     fields.sort_unstable();
     fields.dedup();
-    let place = |&(s, p): &(usize, usize)| [s as u64, simulation.sets()[s].id[p]];
+    let place = |&(s, p): &(usize, usize)| [s as u64, simulation.sets()[s].id[p], 0];
     FramePart {
         places: order.iter().map(place).collect(),
         frame: Frame {

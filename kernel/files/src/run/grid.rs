@@ -13,12 +13,14 @@ pub(super) fn frame(simulation: &Simulation) -> FramePart {
     fields.sort_unstable();
     fields.dedup();
     FramePart {
-        // Field by field: the common one, then those of bodies in order of the identifier. Ranks have planes one after the other.
+        // Field by field: the common one, then those of bodies in order of the identifier; each in order of the nodes.
         places: nodes
             .iter()
             .map(|n| {
-                n.body
-                    .map_or([0, 0], |id| [1, id.cast_unsigned() ^ (1 << 63)])
+                let [kind, body] = n
+                    .body
+                    .map_or([0, 0], |id| [1, id.cast_unsigned() ^ (1 << 63)]);
+                [kind, body, n.node as u64]
             })
             .collect(),
         frame: Frame {

@@ -107,8 +107,8 @@ impl FollowedProbe {
     fn particle(&self, simulation: &Simulation, id: u64) -> Option<Vec<f64>> {
         let axes = simulation.plan().axes;
         let set = &simulation.sets()[self.set];
-        let mut own = simulation.own_particles(set);
-        let row = own.find(|p| set.id[*p] == id).map(|p| {
+        let own = simulation.own_particles(set);
+        let row = own.iter().find(|p| set.id[*p] == id).map(|p| {
             let u = simulation.displacement(self.set, p);
             let mut row = u.unwrap_or([f64::NAN; 3])[..axes].to_vec();
             row.extend_from_slice(&set.velocity(p)[..axes]);
@@ -185,7 +185,7 @@ impl FollowedProbe {
             ProbedQuantity::PlasticStrain => column.map_or(f64::NAN, |column| column[p]),
         };
         let mut best: Option<(f64, usize)> = None;
-        for p in simulation.own_particles(set) {
+        for p in simulation.own_particles(set).iter() {
             let own = value(p);
             let is_larger =
                 best.is_none_or(|(most, q)| own > most || (own == most && set.id[p] < set.id[q]));
@@ -226,7 +226,7 @@ fn mises([xx, yy, zz, yz, xz, xy]: [f64; 6]) -> f64 {
 fn nearest(simulation: &Simulation, position: &Vector) -> Option<(usize, u64)> {
     let mut best: Option<(f64, u64, usize)> = None;
     for (s, set) in simulation.sets().iter().enumerate() {
-        for p in simulation.own_particles(set) {
+        for p in simulation.own_particles(set).iter() {
             let x = simulation
                 .initial_position(s, p)
                 .unwrap_or_else(|| simulation.position(s, p));

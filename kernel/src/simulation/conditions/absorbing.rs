@@ -107,6 +107,9 @@ fn for_dashpots(
     let owned = all[begin..].iter();
     for dashpot in owned.take_while(|dashpot| dashpot.node < last) {
         let [plane, row, k] = shape.indices(dashpot.node);
+        if !field.slab.owns_row(row) {
+            continue;
+        }
         let index = dashpot.node - first;
         let mass = |field: &SlabField<'_>| {
             if field.planes.rows.span(plane, row).contains(&k) {

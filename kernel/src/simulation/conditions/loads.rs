@@ -150,6 +150,9 @@ impl NodalLoads {
         let all = self.now(now.nodal).iter();
         for load in all.filter(|load| (first..last).contains(&load.node)) {
             let [plane, row, k] = shape.indices(load.node);
+            if !field.slab.owns_row(row) {
+                continue;
+            }
             let mass = |field: &SlabField<'_>| {
                 let free = field.owner != Owner::Water && now.prescribed(field.owner).is_none();
                 if free && field.planes.rows.span(plane, row).contains(&k) {

@@ -1,5 +1,6 @@
 //! Numbers at nodes of boundary planes, which every rank keeps for all nodes: each comes from the rank that owns the node.
 
+use crate::ranks::Words;
 use crate::simulation::Cycle;
 use std::collections::BTreeMap;
 
@@ -10,14 +11,19 @@ impl Cycle {
         nodes: impl Iterator<Item = usize>,
         numbers: &mut [[f64; N]],
     ) {
-        let Some(ranks) = self.ranks() else { return };
-        let own = (nodes.zip(&*numbers)).filter(|(node, _)| self.owns(*node));
+        let Some(share) = &self.work.share else {
+            return;
+        };
+        let shape = &self.work.grid.shape;
+        let owners = nodes.map(|node| share.cut.owner(shape.indices(node)));
+        let owners: Vec<usize> = owners.collect();
+        let own = owners.iter().zip(&*numbers);
+        let own = own.filter(|(owner, _)| **owner == share.rank());
         let words: Vec<u64> = own.flat_map(|(_, own)| own.map(f64::to_bits)).collect();
-        // A node belongs to one rank, and planes of ranks increase as nodes do.
-        let all = ranks.all_gather(&words);
-        let all = all.iter().flat_map(|words| words.as_chunks().0);
-        for (numbers, words) in numbers.iter_mut().zip(all) {
-            *numbers = words.map(f64::from_bits);
+        let all = share.ranks.all_gather(&words);
+        let mut all: Vec<Words<'_>> = all.iter().map(|words| Words::of(words)).collect();
+        for (numbers, owner) in numbers.iter_mut().zip(owners) {
+            *numbers = [(); N].map(|()| all[owner].number());
         }
     }
 

@@ -1,6 +1,6 @@
 //! Particles of all ranks in order of the identifier, a piece at a time: no rank has them all.
 
-use super::migrate;
+use super::packed::{append, pack};
 use crate::particles::ParticleSet;
 use crate::ranks::Words;
 use crate::simulation::Cycle;
@@ -17,10 +17,11 @@ impl Cycle {
         let mut hash = StateHash::default();
         let mut places = vec![];
         for set in &self.state.sets {
-            let own = set.in_layers(share.planes());
+            let own = self.own_particles(set);
             hash.add(self.join_count(own.len()) as u64);
-            let [first, last] = self.identifiers(&set.id[own.clone()]);
-            by_identifier(set, own, &mut places);
+            let ids: Vec<u64> = own.iter().map(|p| set.id[p]).collect();
+            let [first, last] = self.identifiers(&ids);
+            by_identifier(set, own.iter(), &mut places);
             let mut rest = &places[..];
             let mut begin = first;
             while begin <= last {
@@ -31,7 +32,7 @@ impl Cycle {
                 begin = end;
                 let mut parts = vec![vec![]; ranks.count()];
                 let piece: Vec<usize> = piece.iter().map(|&p| p as usize).collect();
-                migrate::pack(set, &piece, &mut parts[0]);
+                pack(set, &piece, &self.work.grid.shape, &mut parts[0]);
                 hash_piece(&mut hash, set, &ranks.all_to_all(parts));
             }
         }
@@ -60,7 +61,7 @@ impl Cycle {
 fn hash_piece(hash: &mut StateHash, like: &ParticleSet, received: &[Vec<u64>]) {
     let mut set = like.without_particles();
     for words in received.iter().filter(|words| !words.is_empty()) {
-        migrate::unpack(&mut set, &mut Words::of(words));
+        append(&mut set, &mut Words::of(words));
     }
     let mut places = vec![];
     by_identifier(&set, 0..set.len(), &mut places);

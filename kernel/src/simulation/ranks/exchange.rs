@@ -1,7 +1,8 @@
-//! Planes of nodes beside those of a rank, which its neighbours send after the equation of motion.
+//! Nodes beside those of a rank, which its neighbours send after the equation of motion: rows first, then planes.
 
 use super::Share;
-use crate::grid::Line;
+use super::cut::Cut;
+use crate::grid::{Line, NodeBlock};
 use crate::ranks::Words;
 use crate::simulation::Cycle;
 use crate::simulation::context::NodalConditions;
@@ -11,16 +12,18 @@ use crate::stage::solve::DrivenNode;
 use std::ops::Range;
 
 impl Cycle {
-    /// Sends the nodes of the outer planes of this rank to its neighbours, and takes theirs.
-    pub(in crate::simulation) fn exchange_planes(&mut self) {
+    /// Sends the outer nodes of this rank to its neighbours, and takes theirs.
+    pub(in crate::simulation) fn exchange_nodes(&mut self) {
         let Some(share) = &self.work.share else {
             return;
         };
         let reach = self.state.stencil + 1;
         let grid = &mut self.work.grid;
-        let sent = to_neighbours(share, reach, |planes| pack(grid, planes));
-        for words in share.ranks.exchange(sent) {
-            unpack(grid, &words);
+        for (with, sent) in share.messages(reach) {
+            let packed = sent.map(|block| block.map_or_else(Vec::new, |block| pack(grid, &block)));
+            for words in share.ranks.exchange(with, packed) {
+                unpack(grid, &words);
+            }
         }
     }
 
@@ -33,26 +36,28 @@ impl Cycle {
         if !self.exchanges_driven() {
             return;
         }
-        let own = share.planes();
-        let plane = |one: &DrivenNode| self.work.grid.shape.indices(one.node)[0];
-        nodal.driven.retain(|one| own.contains(&plane(one)));
-        let sent = to_neighbours(share, self.state.stencil + 1, |planes| {
-            let nodes = nodal.driven.iter();
-            let nodes = nodes.filter(|one| planes.contains(&plane(one)));
-            let words = nodes.flat_map(|one| {
-                let velocities = [one.before, one.after].into_iter().flatten();
-                std::iter::once(one.node as u64).chain(velocities.map(f64::to_bits))
-            });
-            words.collect()
-        });
-        for words in share.ranks.exchange(sent) {
-            for words in words.chunks_exact(DRIVEN) {
-                let mut words = Words::of(words);
-                nodal.driven.push(DrivenNode {
-                    node: words.count(),
-                    before: [(); 3].map(|()| words.number()),
-                    after: [(); 3].map(|()| words.number()),
+        let own = share.block();
+        let at = |one: &DrivenNode| self.work.grid.shape.indices(one.node);
+        nodal.driven.retain(|one| own.contains(at(one)));
+        for (with, sent) in share.messages(self.state.stencil + 1) {
+            let packed = sent.map(|block| {
+                let nodes = nodal.driven.iter();
+                let nodes = nodes.filter(|one| block.as_ref().is_some_and(|b| b.contains(at(one))));
+                let words = nodes.flat_map(|one| {
+                    let velocities = [one.before, one.after].into_iter().flatten();
+                    std::iter::once(one.node as u64).chain(velocities.map(f64::to_bits))
                 });
+                words.collect()
+            });
+            for words in share.ranks.exchange(with, packed) {
+                for words in words.chunks_exact(DRIVEN) {
+                    let mut words = Words::of(words);
+                    nodal.driven.push(DrivenNode {
+                        node: words.count(),
+                        before: [(); 3].map(|()| words.number()),
+                        after: [(); 3].map(|()| words.number()),
+                    });
+                }
             }
         }
         nodal.driven.sort_unstable_by_key(|one| one.node);
@@ -65,19 +70,43 @@ impl Cycle {
     }
 }
 
-/// Words of the outer planes of a rank, so many on either side, for the rank below and for the one above; none where there is no rank.
-fn to_neighbours(
-    share: &Share,
-    reach: usize,
-    pack: impl Fn(Range<usize>) -> Vec<u64>,
-) -> [Vec<u64>; 2] {
-    let own = share.planes();
-    let [first, last] = [share.rank() == 0, share.rank() + 1 == share.ranks.count()];
-    let packed = |planes: Range<usize>, nobody: bool| {
-        if nobody { vec![] } else { pack(planes) }
-    };
-    let below = packed(own.start..own.start + reach, first);
-    [below, packed(own.end - reach..own.end, last)]
+/// The neighbours below and above a rank along an axis, and the nodes that each gets; none where there is no rank.
+type Message = ([Option<usize>; 2], [Option<NodeBlock>; 2]);
+
+impl Share {
+    /// The messages in which neighbours get nodes of this rank that lie within a reach of theirs: along the rows, where they are
+    /// cut, then along the planes, with the rows that have come before.
+    fn messages(&self, reach: usize) -> impl Iterator<Item = Message> + use<> {
+        self.cut.messages(self.rank(), reach)
+    }
+}
+
+impl Cut {
+    /// The messages of a rank: see [`Share::messages`].
+    pub(super) fn messages(
+        &self,
+        rank: usize,
+        reach: usize,
+    ) -> impl Iterator<Item = Message> + use<> {
+        let [of_rows, of_planes] = self.neighbours(rank);
+        let own = self.block(rank);
+        let ends = |all: &Range<usize>| [all.start..all.start + reach, all.end.saturating_sub(reach)..all.end];
+        let rows = ends(&own.rows).map(|rows| NodeBlock {
+            planes: own.planes.clone(),
+            rows,
+        });
+        let beside = self.with_rows_beside(own.clone(), reach);
+        let planes = ends(&own.planes).map(|planes| NodeBlock {
+            planes,
+            rows: beside.rows.clone(),
+        });
+        let message = |with: [Option<usize>; 2], [below, above]: [NodeBlock; 2]| -> Message {
+            let to = [with[0].map(|_| below), with[1].map(|_| above)];
+            (with, to)
+        };
+        let along_rows = self.cuts_rows().then(|| message(of_rows, rows));
+        along_rows.into_iter().chain([message(of_planes, planes)])
+    }
 }
 
 /// Words of a node that moves with a driven body: its index and two velocities.
@@ -87,13 +116,13 @@ const HEAD: usize = 3;
 /// Values of a node.
 const LINE: usize = size_of::<Line>() / size_of::<f64>();
 
-/// The nodes in use of some planes, field by field and row by row: a row, its span, its values.
-pub(super) fn pack(grid: &Grid, planes: Range<usize>) -> Vec<u64> {
+/// The nodes in use of a block, field by field and row by row: a row, its span, its values.
+pub(super) fn pack(grid: &Grid, block: &NodeBlock) -> Vec<u64> {
     let mut words = vec![];
     for (number, field) in grid.fields.iter().enumerate() {
         let lines = field.nodes.lines();
-        for plane in planes.clone() {
-            for row in field.rows.in_plane(plane) {
+        for plane in block.planes.clone() {
+            for row in block.rows.clone() {
                 let span = field.rows.span(plane, row);
                 if span.is_empty() {
                     continue;
@@ -108,12 +137,12 @@ pub(super) fn pack(grid: &Grid, planes: Range<usize>) -> Vec<u64> {
     words
 }
 
-/// Number of words of some packed planes.
-pub(super) fn words(grid: &Grid, planes: Range<usize>) -> usize {
+/// Number of words of a packed block.
+pub(super) fn words(grid: &Grid, block: &NodeBlock) -> usize {
     let fields = grid.fields.iter();
     let spans = fields.flat_map(|field| {
-        let rows = planes.clone().flat_map(move |plane| {
-            let rows = field.rows.in_plane(plane);
+        let rows = block.planes.clone().flat_map(move |plane| {
+            let rows = block.rows.clone();
             rows.map(move |row| field.rows.span(plane, row).len())
         });
         rows.filter(|span| *span > 0)

@@ -1,10 +1,11 @@
 //! Forecast of the shares of ranks, before a simulation is shared.
 
-use super::cut::Cut;
 use super::exchange::{self, DRIVEN};
+use crate::grid::NodeBlock;
 use super::{Interaction, SharingRefusal};
 use crate::model::StressScheme;
 use crate::simulation::context::NodalConditions;
+use crate::sorting::rows_now;
 use crate::simulation::{Cycle, water};
 use std::ops::Range;
 
@@ -13,11 +14,13 @@ use std::ops::Range;
 pub struct RankForecast {
     /// Its planes along the first axis, those of ghost nodes among them.
     pub planes: Range<usize>,
+    /// Its rows along the second axis in each of them, likewise; all of them, where planes alone are cut.
+    pub rows: Range<usize>,
     /// Particles that it would own.
     pub particles: usize,
     /// Particles of its neighbours that it would compute once more.
     pub ghosts: usize,
-    /// Bytes that it would send in a step between two sorts, to all neighbours, but for those of sums and maxima.
+    /// Bytes that it would send in a step between two sorts, to all neighbours, but for those that all ranks join.
     pub sent: usize,
 }
 
@@ -27,41 +30,42 @@ impl Cycle {
     /// # Errors
     /// See [`Cycle::share_among`].
     pub fn forecast_ranks(&self, ranks: usize) -> Result<Vec<RankForecast>, SharingRefusal> {
-        self.can_be_shared(ranks)?;
-        let cut = Cut::new(&self.particles_of_layers(), ranks, self.state.stencil);
+        let cut = self.cut_by(&self.particle_counts(), ranks)?;
         let reach = self.state.stencil + 1;
-        let particles = |layers: Range<usize>| -> usize {
-            let sets = self.state.sets.iter();
-            sets.map(|set| set.in_layers(layers.clone()).len()).sum()
+        let shape = &self.work.grid.shape;
+        let per_layer = shape.bases()[1];
+        // Base rows of all particles, where they are now.
+        let by = (self.model.family(), self.state.stencil);
+        let sets = self.state.sets.iter();
+        let rows = sets.flat_map(|set| rows_now(set, 0..set.len(), shape, by));
+        let rows: Vec<usize> = rows.collect();
+        let particles = |block: &NodeBlock| -> usize {
+            let held = rows.iter().filter(|row| block.contains([*row / per_layer, *row % per_layer, 0]));
+            held.count()
         };
         let mut nodal = NodalConditions::default();
         if self.exchanges_driven() {
             self.prescribe(&mut nodal);
         }
         let lists = 1 + usize::from(self.has_separate_p2g());
-        let sent = |planes: Range<usize>| {
+        let sent = |block: &NodeBlock| {
             let driven = nodal.driven.iter();
             let driven = driven
-                .filter(|one| planes.contains(&self.work.grid.shape.indices(one.node)[0]))
+                .filter(|one| block.contains(shape.indices(one.node)))
                 .count();
-            let lines = exchange::words(&self.work.grid, planes.clone());
+            let lines = exchange::words(&self.work.grid, block);
             (lines * self.exchanges_per_step() + driven * DRIVEN * lists) * size_of::<u64>()
         };
         let of_rank = |rank: usize| {
-            let planes = cut.planes(rank);
-            let own = particles(planes.clone());
-            let mut bytes = 0;
-            if rank > 0 {
-                bytes += sent(planes.start..planes.start + reach);
-            }
-            if rank + 1 < ranks {
-                bytes += sent(planes.end - reach..planes.end);
-            }
+            let own = particles(&cut.block(rank));
+            let blocks = cut.messages(rank, reach).flat_map(|(_, to)| to);
+            let NodeBlock { planes, rows } = cut.block(rank);
             RankForecast {
                 particles: own,
-                ghosts: particles(cut.held(rank)) - own,
-                sent: bytes,
+                ghosts: particles(&cut.held(rank)) - own,
+                sent: blocks.flatten().map(|block| sent(&block)).sum(),
                 planes,
+                rows,
             }
         };
         Ok((0..ranks).map(of_rank).collect())

@@ -1,7 +1,8 @@
 //! Values of a step that all ranks join: sums, maxima, counts, and faults of particles.
 
 use crate::exact_sum::ExactSum;
-use crate::particles::ParticleSet;
+use crate::grid::NodeBlock;
+use crate::particles::{OwnParticles, ParticleSet};
 use crate::ranks::{Ranks, Words};
 use crate::simulation::Cycle;
 use crate::simulation::tension::LargestStretch;
@@ -9,7 +10,6 @@ use crate::simulation::values::{ParticleAt, StepError, StepErrorKind};
 use crate::stage::g2p::{FaultKind, ParticleMaxima};
 use crate::stage::solve::{EmptyNode, ExactStepSums, StepSums};
 use std::hash::Hasher;
-use std::ops::Range;
 
 /// Steps from one comparison of ghosts with their owners to the next.
 const STEPS_PER_COMPARISON: u64 = 256;
@@ -28,6 +28,8 @@ pub(in crate::simulation) struct SolvedSlabs {
 
 /// A particle that left the mesh, with the energy and the dead load that go with it.
 pub(in crate::simulation) struct Removed {
+    /// Number of its base row at the last sort.
+    pub(in crate::simulation) base_row: u64,
     pub(in crate::simulation) at: ParticleAt,
     /// Kinetic, stored and dissipated energy \[J\].
     pub(in crate::simulation) energy: f64,
@@ -38,17 +40,17 @@ pub(in crate::simulation) struct Removed {
 impl Cycle {
     /// Particles of a set that this process owns; all, where no ranks share them.
     #[must_use]
-    pub fn own_particles(&self, set: &ParticleSet) -> Range<usize> {
+    pub fn own_particles(&self, set: &ParticleSet) -> OwnParticles {
         match &self.work.share {
-            None => 0..set.len(),
-            Some(share) => set.in_layers(share.planes()),
+            None => OwnParticles::from_iter([0..set.len()]),
+            Some(_) => set.in_block(&self.work.grid.block(), &self.work.grid.shape),
         }
     }
 
-    /// True for a node of a plane that this process owns.
+    /// True for a node that this process owns.
     pub(in crate::simulation) fn owns(&self, node: usize) -> bool {
-        let [plane, ..] = self.work.grid.shape.indices(node);
-        self.work.grid.owned.contains(&plane)
+        let at = self.work.grid.shape.indices(node);
+        self.work.grid.block().contains(at)
     }
 
     /// Takes removed particles out of the number of all.
@@ -164,7 +166,7 @@ impl Cycle {
         for ((body, found), numbers) in bodies.iter_mut().zip(numbers[1..].as_chunks().0) {
             let own = self.own_particles(&self.state.sets[*body]);
             found.set_numbers(*numbers);
-            found.fault = found.fault.filter(|(p, _)| own.contains(p));
+            found.fault = found.fault.filter(|(p, _)| own.contains(*p));
         }
         if let Some(share) = &mut self.work.share {
             share.diffusivity = numbers[0];
@@ -178,7 +180,7 @@ impl Cycle {
     }
 
     /// Removes particles outside the mesh, or gives the error of the first fault, by body and then by particle, the same on all
-    /// ranks; `faults` has the first of each body here.
+    /// ranks; `faults` has the first of each body here. Particles come in order of the base rows of the last sort.
     pub(in crate::simulation) fn judge_together(
         &mut self,
         faults: &[(usize, usize, FaultKind)],
@@ -194,20 +196,28 @@ impl Cycle {
                 (Some(_), None) => 1,
                 (Some(_), Some(_)) => 2,
             };
-            let mut words = vec![word];
+            let place = here.map_or(u64::MAX, |&(set, p, _)| self.base_row(set, p));
+            let mut words = vec![place, word];
             words.extend(fatal.iter().flat_map(words_of));
             let all = self.ranks().map(|ranks| ranks.all_gather(&words));
             let all = all.unwrap_or_default();
-            let Some(first) = all.iter().find(|words| words[0] != 0) else {
+            let faulty = all.iter().filter(|words| words[1] != 0);
+            let Some(first) = faulty.min_by_key(|words| words[0]) else {
                 continue;
             };
-            if first[0] == 2 {
-                let kind = self.error_of(body, &first[1..]);
+            if first[1] == 2 {
+                let kind = self.error_of(body, &first[2..]);
                 return Err(self.error(kind));
             }
             self.remove_outside(body)?;
         }
         Ok(())
+    }
+
+    /// Number of the base row of a particle at the last sort, by which ranks put particles in order; zero where there are none.
+    pub(in crate::simulation) fn base_row(&self, set: usize, p: usize) -> u64 {
+        let row = || self.state.sets[set].base_row(p, &self.work.grid.shape);
+        self.ranks().map_or(0, |_| row() as u64)
     }
 
     /// Particles that are removed on all ranks, in order, or the first error that keeps a rank from removing its own.
@@ -228,6 +238,7 @@ impl Cycle {
             Ok(removed) => {
                 words.push(0);
                 for one in removed {
+                    words.push(one.base_row);
                     words.extend(words_of_particle(&one.at));
                     words.extend([one.energy, one.load].map(f64::to_bits));
                 }
@@ -239,34 +250,41 @@ impl Cycle {
             if failed {
                 return Err(self.error_of(body, rest));
             }
-            for words in rest.chunks(OF_PARTICLE + 2) {
+            for words in rest.chunks(1 + OF_PARTICLE + 2) {
                 let mut words = Words::of(words);
                 all.push(Removed {
+                    base_row: words.word(),
                     at: particle(&mut words),
                     energy: words.number(),
                     load: words.number(),
                 });
             }
         }
+        all.sort_by_key(|one| one.base_row);
         Ok(all)
     }
 
-    /// The first particle of a body that something holds for on any rank, with a value: ranks have a body one after the other.
+    /// The first particle of a body that something holds for on any rank, with a value; `here` is the first of this one, by its
+    /// place.
     pub(in crate::simulation) fn join_first(
         &self,
-        here: Option<(ParticleAt, f64)>,
+        body: usize,
+        here: Option<(usize, f64)>,
     ) -> Option<(ParticleAt, f64)> {
+        let at = |p: usize| self.particle_at(body, p);
         let Some(ranks) = self.ranks() else {
-            return here;
+            return here.map(|(p, value)| (at(p), value));
         };
         let mut words = vec![];
-        if let Some((at, value)) = &here {
-            words.extend(words_of_particle(at));
+        if let Some((p, value)) = here {
+            words.push(self.base_row(body, p));
+            words.extend(words_of_particle(&at(p)));
             words.push(value.to_bits());
         }
         let all = ranks.all_gather(&words);
-        let first = all.iter().find(|words| !words.is_empty())?;
-        let mut words = Words::of(first);
+        let found = all.iter().filter(|words| !words.is_empty());
+        let first = found.min_by_key(|words| words[0])?;
+        let mut words = Words::of(&first[1..]);
         Some((particle(&mut words), words.number()))
     }
 
@@ -367,31 +385,30 @@ impl Cycle {
         if !step.is_multiple_of(STEPS_PER_COMPARISON) {
             return Ok(());
         }
-        let (own, stencil) = (share.planes(), self.state.stencil);
-        let hash = |layers: Range<usize>| vec![self.hash_of_layers(layers)];
-        let lowest = own.start..own.start + 1;
-        let highest = own.end - stencil..own.end;
-        let [below, above] = share.ranks.exchange([hash(lowest), hash(highest)]);
-        let ghosts_below = own.start.saturating_sub(stencil)..own.start;
-        let ghosts_above = own.end..own.end + 1;
-        let differ =
-            |sent: &[u64], ghosts: Range<usize>| !sent.is_empty() && *sent != *hash(ghosts);
-        let here = differ(&below, ghosts_below) || differ(&above, ghosts_above);
+        let mut here = false;
+        let hash = |block: &NodeBlock| vec![self.hash_of_block(block)];
+        for beside in share.cut.ghosts(share.rank()) {
+            let sent = [0, 1].map(|side| beside.with[side].map_or_else(Vec::new, |_| hash(&beside.own[side])));
+            let received = share.ranks.exchange(beside.with, sent);
+            for (words, ghosts) in received.iter().zip(&beside.ghosts) {
+                here |= !words.is_empty() && *words != hash(ghosts);
+            }
+        }
         match share.ranks.first_with(here) {
             None => Ok(()),
             Some(rank) => Err(self.error(StepErrorKind::RanksDisagree { rank })),
         }
     }
 
-    fn hash_of_layers(&self, layers: Range<usize>) -> u64 {
+    fn hash_of_block(&self, block: &NodeBlock) -> u64 {
         let mut hasher = std::hash::DefaultHasher::new();
         for set in &self.state.sets {
-            let particles = set.in_layers(layers.clone());
-            set.id[particles.clone()]
-                .iter()
-                .for_each(|id| hasher.write_u64(*id));
+            let particles = set.in_block(block, &self.work.grid.shape);
+            for p in particles.iter() {
+                hasher.write_u64(set.id[p]);
+            }
             for column in &set.columns {
-                let values = column[particles.clone()].iter();
+                let values = particles.iter().map(|p| column[p]);
                 values.for_each(|value| hasher.write_u64(value.to_bits()));
             }
         }

@@ -4,8 +4,13 @@
 //! plane of its base node at the last sort. With a stencil of S nodes the particles of the layers `a - S..b + 1` reach these
 //! planes before the next sort, and so a rank holds all of them, those that it does not own as ghosts. P2G then sums at each
 //! node the same particles in the same order as one process does. The particles that a rank holds read nodes of S + 1 planes on
-//! either side, which come from the two neighbours in one message after the equation of motion. Sums over planes are
-//! folded in order of the planes, sums over particles are exact, and all else that ranks join is a maximum or a count.
+//! either side, which come from the two neighbours in one message after the equation of motion. Sums over nodes and over
+//! particles are exact, and all else that ranks join is a maximum or a count.
+//!
+//! Where planes end, in space, rows of nodes along the second axis are cut by the same rule: a rank owns rows of its planes. It
+//! works on these alone; what its particles give other rows of its planes is the part of a sum, which the message of the
+//! neighbour along the rows replaces. The message along the planes follows, with the rows that came, and so brings what lies
+//! across an edge. Rows along the third axis are never cut.
 
 mod at_nodes;
 mod by_identifier;
@@ -14,6 +19,7 @@ mod exchange;
 mod forecast;
 mod join;
 mod migrate;
+mod packed;
 mod saved;
 mod whole;
 
@@ -26,16 +32,17 @@ use super::Cycle;
 use super::interactions::Interaction;
 use crate::ranks::Ranks;
 use crate::simulation::values::{SharingRefusal, StepError, StepInfo};
+use crate::sorting::rows_now;
 use crate::stage::g2p::ParticleMaxima;
-use cut::{Cut, LEAST_PLANES};
-use std::ops::Range;
+use crate::grid::NodeBlock;
+use cut::{Cut, ParticleCounts};
 use std::sync::Arc;
 
 /// The part that a rank has in a shared simulation.
 pub(crate) struct Share {
     /// The ranks.
     ranks: Arc<dyn Ranks>,
-    /// Planes of all ranks.
+    /// Planes and rows of all ranks.
     cut: Cut,
     /// Particles of all ranks.
     particles: usize,
@@ -59,9 +66,9 @@ impl Share {
         self.ranks.rank()
     }
 
-    /// Planes of this rank.
-    fn planes(&self) -> Range<usize> {
-        self.cut.planes(self.rank())
+    /// Planes and rows of this rank.
+    fn block(&self) -> NodeBlock {
+        self.cut.block(self.rank())
     }
 }
 
@@ -70,20 +77,20 @@ impl Cycle {
     /// the same state, and call this in the same step. State, events and sums then are those of one process, bit by bit.
     ///
     /// # Errors
-    /// A scene with a part that is not local, or more ranks than its planes allow. The simulation is then as it was.
+    /// A scene with a part that is not local, or more ranks than its planes and rows allow. The simulation is then as it was.
     pub fn share_among(&mut self, ranks: Arc<dyn Ranks>) -> Result<(), SharingRefusal> {
         let share = self.cut_among(ranks)?;
         self.keep_part(share);
         Ok(())
     }
 
-    /// Begins a simulation whose particles ranks share from the start: the maxima of all, and planes that the first sort will cut
+    /// Begins a simulation whose particles ranks share from the start: the maxima of all, and blocks that the first sort will cut
     /// by the particles in them.
     pub(super) fn begin_shared(&mut self, ranks: Arc<dyn Ranks>) -> Result<(), SharingRefusal> {
-        self.can_be_shared(ranks.count())?;
-        let planes = self.work.grid.shape.nodes[0];
+        let even = ParticleCounts::even(&self.work.grid.shape);
+        let cut = self.cut_by(&even, ranks.count())?;
         self.work.share = Some(Share {
-            cut: Cut::new(&vec![1; planes], ranks.count(), self.state.stencil),
+            cut,
             particles: 0,
             diffusivity: 0.0,
             ranks,
@@ -116,15 +123,19 @@ impl Cycle {
             return;
         };
         share.diffusivity = numbers[0];
-        let own = share.planes();
-        let layers = self.work.grid.shape.bases()[0];
+        let own = share.block();
+        let [layers, rows, _] = self.work.grid.shape.bases();
         for set in &mut self.state.sets {
-            // All of them lie in the own planes until they are sorted.
+            // All of them lie in the first of the own rows until they are sorted.
             let count = set.len();
-            let start = |layer: usize| if layer <= own.start { 0 } else { count };
-            set.layers = (0..=layers).map(start).collect();
+            let start = |first: usize| move |place: usize| if place <= first { 0 } else { count };
+            set.layers = (0..=layers).map(start(own.planes.start)).collect();
+            if share.cut.cuts_rows() {
+                let first = own.planes.start * rows + own.rows.start;
+                set.rows = (0..=layers * rows).map(start(first)).collect();
+            }
         }
-        self.work.grid.owned = own;
+        self.work.grid.set_owned(own);
     }
 
     /// Shares each step among ranks: between two steps every one of them has the whole simulation, as one process has it. That
@@ -154,15 +165,12 @@ impl Cycle {
         result
     }
 
-    /// Cuts the planes for ranks.
+    /// Cuts the nodes for ranks.
     fn cut_among(&self, ranks: Arc<dyn Ranks>) -> Result<Share, SharingRefusal> {
-        self.can_be_shared(ranks.count())?;
+        let cut = self.cut_by(&self.particle_counts(), ranks.count())?;
+        let knows_rows = self.state.sets.iter().all(|set| !set.rows.is_empty());
         Ok(Share {
-            cut: Cut::new(
-                &self.particles_of_layers(),
-                ranks.count(),
-                self.state.stencil,
-            ),
+            cut: if knows_rows { cut } else { cut.waiting() },
             particles: self.particles(),
             diffusivity: self.own_diffusivity(),
             ranks,
@@ -173,35 +181,45 @@ impl Cycle {
     fn keep_part(&mut self, share: Share) {
         let held = share.cut.held(share.rank());
         for set in &mut self.state.sets {
-            set.keep_layers(held.clone());
+            let kept = set.in_block(&held, &self.work.grid.shape);
+            set.keep(&kept);
         }
-        self.work.grid.own(share.planes(), &self.state.sets);
+        self.work.grid.own(share.block(), &self.state.sets);
         self.work.share = Some(share);
         self.work.forces_of_ranks = None;
         // What an interaction knows of particles by their places.
         self.each(Interaction::fields_given);
     }
 
-    /// Particles of each layer, as of the last sort.
-    fn particles_of_layers(&self) -> Vec<u64> {
+    /// Particles of each layer as of the last sort, and of each row as they are now.
+    fn particle_counts(&self) -> ParticleCounts {
+        let shape = &self.work.grid.shape;
         let of_layer = |layer: usize| -> u64 {
             let sets = self.state.sets.iter();
             sets.map(|set| set.in_layers(layer..layer + 1).len() as u64)
                 .sum()
         };
-        (0..self.work.grid.shape.nodes[0]).map(of_layer).collect()
+        let mut rows = vec![0; shape.nodes[1]];
+        for set in &self.state.sets {
+            for place in rows_now(set, 0..set.len(), shape, (self.model.family(), self.state.stencil)) {
+                rows[place % shape.bases()[1]] += 1;
+            }
+        }
+        ParticleCounts {
+            planes: (0..shape.nodes[0]).map(of_layer).collect(),
+            rows,
+        }
     }
 
-    /// Refuses to share the simulation among so many ranks, where they cannot.
-    fn can_be_shared(&self, ranks: usize) -> Result<(), SharingRefusal> {
+    /// Cuts the nodes for so many ranks, or refuses it.
+    fn cut_by(&self, counts: &ParticleCounts, ranks: usize) -> Result<Cut, SharingRefusal> {
         if let Some(part) = self.not_local() {
             return Err(SharingRefusal::Part { part });
         }
-        let most = (self.work.grid.shape.nodes[0] / LEAST_PLANES).max(1);
-        if ranks > most {
-            return Err(SharingRefusal::TooMany { ranks, most });
-        }
-        Ok(())
+        Cut::new(counts, ranks, self.state.stencil).ok_or_else(|| SharingRefusal::TooMany {
+            ranks,
+            most: Cut::most(ranks, &self.work.grid.shape),
+        })
     }
 
     /// The rank of this process and the number of ranks, where they share the simulation.

@@ -1,6 +1,7 @@
 //! The state of a shared simulation, by the part that each rank has of it.
 
-use super::Cut;
+use super::cut::{Cut, ParticleCounts};
+use super::packed::{PackedParticles, pack, take_up};
 use crate::particles::ParticleSet;
 use crate::ranks::Words;
 use crate::simulation::Cycle;
@@ -32,10 +33,27 @@ impl Cycle {
             let parts = sets.iter().map(whole).collect();
             return (saved, parts);
         };
-        let planes = share.planes();
+        // Layers whole, on the first of the ranks that have their rows.
+        let shape = &self.work.grid.shape;
+        let beside = share.cut.beside(share.rank());
+        let is_first = beside.start == share.rank();
+        let mut to = vec![vec![]; share.ranks().count()];
+        for set in &self.state.sets {
+            let own: Vec<usize> = self.own_particles(set).iter().collect();
+            pack(set, &own, shape, &mut to[beside.start]);
+        }
+        let received = share.ranks().all_to_all(to);
+        let received = received[beside].iter().map(|words| Words::of(words));
+        let mut received: Vec<Words<'_>> = if is_first { received.collect() } else { vec![] };
+        let planes = if is_first { share.block().planes } else { 0..0 };
         let mut words = vec![];
         for set in &mut *sets {
-            set.keep_layers(planes.clone());
+            *set = set.without_particles();
+            let columns = set.columns.len();
+            let parts = received.iter_mut();
+            let parts: Vec<_> = parts.map(|words| PackedParticles::read(words, columns)).collect();
+            let rows = take_up(set, &parts);
+            set.set_rows(rows.iter().map(|one| (one.row, one.count)), false, shape);
             let layers = planes.start..planes.end.min(set.layers.len() - 1);
             words.extend([set.len(), layers.len()].map(|count| count as u64));
             words.extend(set.layers[layers].iter().map(|start| *start as u64));
@@ -62,15 +80,23 @@ impl Cycle {
         (saved, parts)
     }
 
-    /// Cuts the planes of a shared simulation anew, for a state with so many particles in each layer that is to be restored;
+    /// Cuts the nodes of a shared simulation anew, for a state with so many particles in each layer that is to be restored;
     /// the layers that this rank will hold, of which [`Cycle::restore`] takes the particles. `None` where no ranks share it.
     pub fn cut_for_restore(&mut self, layers: &[u64], stencil: usize) -> Option<Range<usize>> {
         let share = self.work.share.as_mut()?;
-        let mut planes = layers.to_vec();
-        planes.resize(self.work.grid.shape.nodes[0], 0);
-        share.cut = Cut::new(&planes, share.ranks.count(), stencil);
+        let mut counts = ParticleCounts::even(&self.work.grid.shape);
+        counts.planes.fill(0);
+        for (plane, count) in counts.planes.iter_mut().zip(layers) {
+            *plane = *count;
+        }
+        // The file has layers alone, and rows wait for the first sort.
+        if let Some(cut) = Cut::new(&counts, share.ranks.count(), stencil) {
+            share.cut = cut.waiting();
+        }
         share.particles = layers.iter().sum::<u64>() as usize;
-        self.work.grid.owned = share.planes();
-        Some(share.cut.held(share.rank()))
+        self.work.grid.set_owned(share.block());
+        let held = share.cut.held(share.rank());
+        let first = held.planes.start;
+        Some(if held.rows.is_empty() { first..first } else { held.planes })
     }
 }

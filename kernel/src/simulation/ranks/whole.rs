@@ -1,14 +1,14 @@
 //! The whole of a shared simulation on the first rank, for files and measures.
 
-use super::{Share, exchange, migrate};
-use crate::grid::ActiveRows;
+use super::packed::{PackedParticles, pack, take_up};
+use super::{Share, exchange};
+use crate::grid::{ActiveRows, NodeBlock};
 use crate::particles::ParticleSet;
 use crate::ranks::Words;
 use crate::simulation::Cycle;
 use crate::simulation::interactions::Interaction;
 use crate::simulation::values::NodalForce;
 use std::any::Any;
-use std::ops::Range;
 
 /// The part of the first rank, while it has the whole simulation.
 pub struct OwnPart {
@@ -36,7 +36,7 @@ impl Cycle {
             return None;
         }
         let share = self.work.share.take()?;
-        Some(self.take_up(share, &received, forces))
+        Some(self.take_up(share, &received, forces, false))
     }
 
     /// Gathers the whole simulation on each rank; the part that this one had.
@@ -45,31 +45,34 @@ impl Cycle {
         let forces = self.nodal_forces_of_ranks()?;
         let received = share.ranks.all_gather(&self.pack_part(share));
         let share = self.work.share.take()?;
-        Some(self.take_up(share, &received, forces).share)
+        // The next step cuts the rows as the last sort found them.
+        let keeps_rows = share.cut.cuts_rows() && !share.cut.waits();
+        Some(self.take_up(share, &received, forces, keeps_rows).share)
     }
 
     /// The particles and nodes that a rank owns, as words.
     fn pack_part(&self, share: &Share) -> Vec<u64> {
-        let planes = share.planes();
+        let block = share.block();
         let mut words = vec![];
         for set in &self.state.sets {
-            let range = set.in_layers(planes.clone());
-            let layers = planes.start..planes.end.min(set.layers.len() - 1);
-            words.push(layers.len() as u64);
-            let starts = layers.map(|layer| (set.layers[layer] - range.start) as u64);
-            words.extend(starts);
-            let particles: Vec<usize> = range.collect();
-            migrate::pack(set, &particles, &mut words);
+            let own: Vec<usize> = self.own_particles(set).iter().collect();
+            pack(set, &own, &self.work.grid.shape, &mut words);
         }
         for field in &self.work.grid.fields {
-            field.rows.pack(planes.clone(), &mut words);
+            field.rows.pack(&block, &mut words);
         }
-        words.extend(exchange::pack(&self.work.grid, planes));
+        words.extend(exchange::pack(&self.work.grid, &block));
         words
     }
 
-    /// Takes up the parts of all ranks; the own part as it was.
-    fn take_up(&mut self, share: Share, received: &[Vec<u64>], forces: Vec<NodalForce>) -> OwnPart {
+    /// Takes up the parts of all ranks, with the rows of particles or without; the own part as it was.
+    fn take_up(
+        &mut self,
+        share: Share,
+        received: &[Vec<u64>],
+        forces: Vec<NodalForce>,
+        keeps_rows: bool,
+    ) -> OwnPart {
         let whole = self.state.sets.iter().map(ParticleSet::without_particles);
         let whole = whole.collect();
         let sets = std::mem::replace(&mut self.state.sets, whole);
@@ -80,27 +83,22 @@ impl Cycle {
             std::mem::replace(&mut field.rows, whole)
         });
         let rows = rows.collect();
-        for (rank, words) in received.iter().enumerate() {
-            let mut words = Words::of(words);
-            for set in &mut self.state.sets {
-                let before = set.len();
-                let count = words.count();
-                let starts = words.take(count).iter();
-                set.layers
-                    .extend(starts.map(|start| before + *start as usize));
-                migrate::unpack(set, &mut words);
-            }
+        let mut received: Vec<Words<'_>> = received.iter().map(|words| Words::of(words)).collect();
+        for set in &mut self.state.sets {
+            let columns = set.columns.len();
+            let parts = received.iter_mut();
+            let parts: Vec<_> = parts.map(|words| PackedParticles::read(words, columns)).collect();
+            let rows = take_up(set, &parts);
+            let rows = rows.iter().map(|one| (one.row, one.count));
+            set.set_rows(rows, keeps_rows, &grid.shape);
+        }
+        for (rank, words) in received.iter_mut().enumerate() {
             for field in &mut grid.fields {
-                field.rows.unpack(share.cut.planes(rank), &mut words);
+                field.rows.unpack(share.cut.block(rank).planes, words);
             }
             exchange::unpack(grid, words.rest());
         }
-        for set in &mut self.state.sets {
-            let count = set.len();
-            set.layers.push(count);
-        }
-        let planes = 0..grid.shape.nodes[0];
-        grid.own(planes, &self.state.sets);
+        grid.own(NodeBlock::all(&grid.shape), &self.state.sets);
         self.work.forces_of_ranks = Some(forces);
         let interactions = self.work.interactions.iter_mut();
         let scratch = interactions.map(|one| one.take_scratch()).collect();
@@ -122,12 +120,11 @@ impl Cycle {
             scratch,
         } = part;
         self.state.sets = sets;
-        let planes: Range<usize> = share.planes();
         let grid = &mut self.work.grid;
         for (field, rows) in grid.fields.iter_mut().zip(rows) {
             field.rows = rows;
         }
-        grid.own(planes, &self.state.sets);
+        grid.own(share.block(), &self.state.sets);
         self.work.share = Some(share);
         self.work.forces_of_ranks = None;
         for (one, scratch) in self.work.interactions.iter_mut().zip(scratch) {

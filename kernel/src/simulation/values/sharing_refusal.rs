@@ -10,11 +10,11 @@ pub enum SharingRefusal {
         /// The part.
         part: &'static str,
     },
-    /// There are too few planes for so many ranks.
+    /// There are too few planes and rows for so many ranks.
     TooMany {
         /// Ranks.
         ranks: usize,
-        /// Most ranks.
+        /// Most ranks that there is room for, up to this number.
         most: usize,
     },
     /// Another rank cannot set its part up; it has the error.
@@ -33,7 +33,7 @@ impl fmt::Display for SharingRefusal {
             ),
             Self::TooMany { ranks, most } => write!(
                 f,
-                "{ranks} ranks are too many for the planes of this mesh along its first axis; accepted: at most {most}"
+                "{ranks} ranks are too many for the planes and rows of this mesh; accepted: at most {most}"
             ),
             Self::OtherRank { rank } => write!(f, "rank {rank} cannot set its part up"),
         }

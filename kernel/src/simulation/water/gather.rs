@@ -38,7 +38,7 @@ impl Cycle {
             hand_over(&mut slab, share, lane);
             reach_beyond(&mut slab, is_open);
         });
-        self.exchange_planes();
+        self.exchange_nodes();
         let grid = &mut self.work.grid;
         let task = WaterTask {
             kick: kicks.then_some(1.0 - pic),
@@ -89,10 +89,10 @@ impl Cycle {
             let columns = [Layout::MASS, Layout::VOLUME].map(|column| &set.columns[column]);
             let porosity = |p: usize| water.porosity_of(columns[0][p], columns[1][p]);
             let [low, high] = POROSITIES;
-            let mut own = self.own_particles(set);
-            let outside = own.find(|p| !(low..=high).contains(&porosity(*p)));
-            let here = outside.map(|p| (self.particle_at(index, p), porosity(p)));
-            if let Some((particle, porosity)) = self.join_first(here) {
+            let own = self.own_particles(set);
+            let outside = own.iter().find(|p| !(low..=high).contains(&porosity(*p)));
+            let here = outside.map(|p| (p, porosity(p)));
+            if let Some((particle, porosity)) = self.join_first(index, here) {
                 return Err(self.error(StepErrorKind::Porosity { particle, porosity }));
             }
         }

@@ -9,6 +9,7 @@
 //! in the order of the particles whatever planes the caller owns, so the bits do not depend on the partition.
 
 mod add;
+mod groups;
 mod products;
 mod runs;
 mod scratch;
@@ -21,6 +22,7 @@ use crate::lanes::{Backend, Kernel, SelectedLanes};
 use crate::layout::Layout;
 use crate::weights::Family;
 use add::{RunRows, add_run};
+pub(crate) use groups::groups_from;
 use products::{Products, add_linear, add_products};
 use runs::{GroupCount, Runs};
 use scratch::Scratch;

@@ -93,7 +93,8 @@ impl Planes<'_> {
         for list in lists {
             for driven in owned(list, |d| d.node, self.first(), self.nodes.len()) {
                 let at = self.shape.indices(driven.node);
-                if self.rows.span(at[0], at[1]).contains(&at[2]) {
+                let in_use = self.rows.span(at[0], at[1]).contains(&at[2]);
+                if in_use && self.rows.owns(at[1]) {
                     (0..3)
                         .filter(|axis| !by_walls(at, *axis))
                         .for_each(|axis| leave_out(at, axis));
