@@ -17,7 +17,7 @@ const ABSORBING: PlaneCondition = PlaneCondition::Absorbing;
 
 /// Ground that fills the mesh but for its top, as high as `up` says, with absorbing sides and an absorbing base, of two bodies side
 /// by side along the first axis.
-fn ground(dimension: Dimension, up: usize) -> Scene {
+pub(super) fn ground(dimension: Dimension, up: usize) -> Scene {
     let axes = dimension.axes();
     let mut cells = [44, 7, 6];
     cells[up] += 4;
@@ -47,7 +47,7 @@ fn halves(lower: Vector, upper: Vector) -> Vec<Body> {
 }
 
 /// A layer that falls between absorbing sides, with springs behind them.
-fn falling(dimension: Dimension) -> Scene {
+pub(super) fn falling(dimension: Dimension) -> Scene {
     let up = dimension.axes() - 1;
     let mut cells = [44, 6, 6];
     cells[up] = 24;
@@ -69,7 +69,7 @@ fn falling(dimension: Dimension) -> Scene {
 }
 
 /// Velocities that are rough, less so near the sides.
-fn rough(scene: &Scene, drift: Vector, speed: f64) -> InitialField {
+pub(super) fn rough(scene: &Scene, drift: Vector, speed: f64) -> InitialField {
     let rough = rough_drift(scene.dimension, [0.0; 3], speed, 1.0, 5);
     let cells = scene.mesh.cells;
     Arc::new(move |x| {
@@ -84,7 +84,7 @@ fn rough(scene: &Scene, drift: Vector, speed: f64) -> InitialField {
 }
 
 /// A motion of the base along it, to and fro.
-fn shaking(scene: &Scene, axis: usize) -> BaseMotion {
+pub(super) fn shaking(scene: &Scene, axis: usize) -> BaseMotion {
     let mut most = [0.2, -0.2, 0.2];
     most[axis] = 0.0;
     if scene.dimension == Dimension::Two {

@@ -25,7 +25,7 @@ pub(super) fn contact(id: i64, [master, slave]: [i64; 2], friction: f64) -> Cont
 
 /// Two layers one on the other along the whole strip, and a block that the upper one strikes and the lower one carries along
 /// without a contact of their own.
-fn layers(dimension: Dimension) -> Scene {
+pub(super) fn layers(dimension: Dimension) -> Scene {
     let mut scene = strip(dimension);
     let bodies = [
         ([0.3, 0.1, 0.2], [3.9, 0.3, 0.4]),
@@ -42,7 +42,7 @@ fn layers(dimension: Dimension) -> Scene {
 }
 
 /// The upper layer slides to the right over the lower one.
-fn sliding(scene: &Scene) -> InitialField {
+pub(super) fn sliding(scene: &Scene) -> InitialField {
     let rough = rough_drift(scene.dimension, [6.0, 0.5, 0.0], 0.1, 1.0, 3);
     Arc::new(move |x| {
         let mut state: InitialState = rough(x);

@@ -16,7 +16,7 @@ use std::sync::Arc;
 const FACE: f64 = 0.33;
 
 /// A layer that slides on a driven plate as long as the mesh, and a block that a plate holds that stands still.
-fn on_a_plate(dimension: Dimension, motion: Option<History>) -> Scene {
+pub(super) fn on_a_plate(dimension: Dimension, motion: Option<History>) -> Scene {
     let mut scene = strip(dimension);
     scene.gravity = [1.0, -10.0, 0.0];
     let bodies = [
@@ -39,7 +39,7 @@ fn on_a_plate(dimension: Dimension, motion: Option<History>) -> Scene {
 }
 
 /// A motion along the plate that rises a little, and goes back.
-fn rising() -> History {
+pub(super) fn rising() -> History {
     History {
         times: vec![0.0, 0.1],
         values: vec![[6.0, 0.1, 0.0], [2.0, -0.1, 0.0]],
@@ -47,7 +47,7 @@ fn rising() -> History {
 }
 
 /// Rough velocities along the plate; the block at its end rests.
-fn along(scene: &Scene) -> InitialField {
+pub(super) fn along(scene: &Scene) -> InitialField {
     let rough = rough_drift(scene.dimension, [8.0, 0.0, 0.0], 0.1, 1.0, 3);
     Arc::new(move |x| {
         let mut state = rough(x);

@@ -224,7 +224,7 @@ pub(super) fn shared(
 pub(super) const TEAMS: [(usize, usize); 6] = [(1, 2), (2, 1), (2, 2), (3, 1), (4, 1), (4, 2)];
 
 /// Those of which each rank fills its part; of the others each fills the whole and keeps its part.
-pub(super) const FILL_PARTS: [(usize, usize); 3] = [(2, 2), (3, 1), (4, 2)];
+pub(super) const FILL_PARTS: [(usize, usize); 4] = [(2, 2), (3, 1), (4, 2), (6, 1)];
 
 /// Compares one process with ranks; the end.
 pub(super) fn compare(scene: &Scene, steps: usize, drift: f64) -> End {
@@ -233,8 +233,18 @@ pub(super) fn compare(scene: &Scene, steps: usize, drift: f64) -> End {
 
 /// The same from another start.
 pub(super) fn compare_from(scene: &Scene, steps: usize, initial: &InitialField) -> End {
+    compare_teams(scene, steps, initial, &TEAMS)
+}
+
+/// The same on some teams.
+pub(super) fn compare_teams(
+    scene: &Scene,
+    steps: usize,
+    initial: &InitialField,
+    teams: &[(usize, usize)],
+) -> End {
     let (expected, expected_measures) = alone(scene, steps, initial);
-    for team in TEAMS {
+    for &team in teams {
         let (found, of_ranks) = shared(scene, team, steps, initial, None);
         assert_eq!(found.error, expected.error, "{team:?}");
         let mut touched: Vec<[u64; 4]> = vec![];

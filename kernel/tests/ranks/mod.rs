@@ -8,6 +8,7 @@ mod harness;
 mod rows;
 mod surfaces;
 mod threads;
+mod turned;
 mod water;
 
 use crate::common::{APIC, DIMENSIONS, FLIP, MLS, NEVER, SCHEMES, body, cuboid, empty, material};

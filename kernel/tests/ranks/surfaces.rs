@@ -8,7 +8,7 @@ use proctor_scene::{Damping, Dimension, History, RigidSurface, Scene, StressSche
 use std::sync::Arc;
 
 /// The strip on a surface that falls a little along it, and a wall on its right side.
-fn on_a_slope(friction: f64) -> Scene {
+pub(super) fn on_a_slope(friction: f64) -> Scene {
     let mut scene = strip(Dimension::Three);
     scene.gravity = [1.0, 0.5, -10.0];
     let slope = [
@@ -75,7 +75,7 @@ fn ranks_stop_for_the_same_surface() {
 
 /// Bodies side by side, of which each second one moves as prescribed and takes the nodes of its neighbours along. Their ends pass
 /// the planes of all ranks.
-fn beside_driven_bodies() -> Scene {
+pub(super) fn beside_driven_bodies() -> Scene {
     let mut scene = on_a_slope(0.3);
     let first = scene.bodies.remove(0);
     scene.bodies.clear();

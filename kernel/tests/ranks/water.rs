@@ -9,7 +9,7 @@ use proctor_scene::{
 };
 
 /// The strip with water in its pores, drained at its top.
-fn wet(dimension: Dimension) -> Scene {
+pub(super) fn wet(dimension: Dimension) -> Scene {
     let mut scene = strip(dimension);
     let water = |porosity: f64, k: f64| {
         Some(PoreWater {
@@ -33,7 +33,7 @@ fn wet(dimension: Dimension) -> Scene {
     scene
 }
 
-fn standing() -> StandingWater {
+pub(super) fn standing() -> StandingWater {
     StandingWater {
         level: History {
             times: vec![0.0, 0.05],

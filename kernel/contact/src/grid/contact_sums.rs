@@ -166,5 +166,7 @@ pub(super) fn statuses_of_all(slabs: &[SlabContactState], ranks: &dyn Ranks) -> 
             ((node as usize, pair as usize), status)
         }));
     }
+    // Ranks that share rows have nodes between those of each other.
+    all.sort_unstable_by_key(|(place, _)| *place);
     all
 }
