@@ -28,6 +28,12 @@ pub struct ParticleSet {
 pub struct OwnParticles(SmallVec<[Range<usize>; 1]>);
 
 impl OwnParticles {
+    /// All particles of a set of so many.
+    #[must_use]
+    pub fn all(count: usize) -> Self {
+        std::iter::once(0..count).collect()
+    }
+
     /// Their places.
     pub fn iter(&self) -> impl Iterator<Item = usize> + Clone + '_ {
         self.0.iter().cloned().flatten()
@@ -71,7 +77,12 @@ impl OwnParticles {
 
 impl FromIterator<Range<usize>> for OwnParticles {
     fn from_iter<I: IntoIterator<Item = Range<usize>>>(ranges: I) -> Self {
-        Self(ranges.into_iter().filter(|range| !range.is_empty()).collect())
+        Self(
+            ranges
+                .into_iter()
+                .filter(|range| !range.is_empty())
+                .collect(),
+        )
     }
 }
 
@@ -247,7 +258,11 @@ impl ParticleSet {
 
     /// Particles of the base layers and rows of a block, as of the last sort. Without rows all particles of a layer are in the
     /// first of them.
-    pub(crate) fn in_block(&self, NodeBlock { planes, rows }: &NodeBlock, shape: &GridShape) -> OwnParticles {
+    pub(crate) fn in_block(
+        &self,
+        NodeBlock { planes, rows }: &NodeBlock,
+        shape: &GridShape,
+    ) -> OwnParticles {
         let per_layer = shape.bases()[1];
         let rows = rows.start.min(per_layer)..rows.end.min(per_layer);
         if rows.is_empty() {
@@ -315,7 +330,9 @@ impl ParticleSet {
                 while let Some(range) = ranges.next_if(|range| range.end <= *start) {
                     before += range.len();
                 }
-                let begun = ranges.peek().map_or(0, |range| start.saturating_sub(range.start));
+                let begun = ranges
+                    .peek()
+                    .map_or(0, |range| start.saturating_sub(range.start));
                 *start = before + begun;
             }
         };

@@ -303,6 +303,24 @@ pub(crate) fn rows_now(
     particles.map(row).collect()
 }
 
+/// The first particle of each base row of all layers, and the number of particles, of a set that was sorted now.
+pub(crate) fn starts_of_rows(
+    set: &ParticleSet,
+    shape: &GridShape,
+    reach: (Family, usize),
+) -> Vec<usize> {
+    let [layers, rows, _] = shape.bases();
+    let mut starts = Vec::with_capacity(layers * rows + 1);
+    for (p, row) in rows_now(set, 0..set.len(), shape, reach)
+        .into_iter()
+        .enumerate()
+    {
+        starts.resize(starts.len().max(row + 1), p);
+    }
+    starts.resize(layers * rows + 1, set.len());
+    starts
+}
+
 /// Finds the active rows of sets that are not to be sorted now, after a restart. Their particles may cross less than
 /// one cell before the next sort, so the rows of their present cells serve as well as those of the last sort.
 pub fn rows_of(sets: &[ParticleSet], shape: &GridShape, stencil: usize, rows: &mut ActiveRows) {

@@ -12,8 +12,9 @@ pub use proctor_kernel::model::{
     TransferKind, Vector, VolumetricStrain, Weighting,
 };
 pub use proctor_kernel::simulation::{
-    BodyHandle, BodyList, Condition, EmptyNode, ExactStepSums, FieldNodes, Grid, Interaction, InteractionError,
-    InteractionFault, NodalConditions, Node, StepSum, StepSums, PairList, Slab, SlabInteraction, SlabPart,
-    StepContext, StepError, StepInfo, StepUpdate, StepView, VelocityMapping,
+    BodyHandle, BodyList, Condition, EmptyNode, ExactStepSums, FieldNodes, Grid, Interaction,
+    InteractionError, InteractionFault, NodalConditions, Node, PairList, Slab, SlabInteraction,
+    SlabPart, StepContext, StepError, StepInfo, StepSum, StepSums, StepUpdate, StepView,
+    VelocityMapping,
 };
 pub use proctor_laws::{Hencky, LinearElastic, NeoHookean, ObjectiveRate, Point, check_law};

@@ -5,11 +5,12 @@
 //! contact asks for it. Its memory is that of the nodes which the body touches; the rest is never committed, and goes back where
 //! a body has left most of it. All fields are cut into the same slabs, so that whoever owns a slab owns all fields of its nodes.
 
+use super::slab_cut::{cut_into, work_of_planes};
 use super::touched_nodes::TouchedNodes;
 use crate::grid::{ActiveRows, GridShape, Line, NodeBlock, Nodes};
 use crate::lanes::SelectedLanes;
 use crate::particles::ParticleSet;
-use crate::sorting::{Sorter, rows_now, rows_of};
+use crate::sorting::{Sorter, rows_of, starts_of_rows};
 use crate::stage::solve::Planes;
 use crate::team::Team;
 use crate::weights::Family;
@@ -17,10 +18,6 @@ use smallvec::SmallVec;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// Fewest planes of a slab: it makes the weights of three layers that begin before it once more.
-const THINNEST_SLAB: usize = 4;
-/// Fewest planes of the slabs at the ends: two of ghosts, that of the mesh, and that of the images of the ghosts.
-const THINNEST_END: usize = 5;
 /// Planes of a slab from which on a thread gets several, so that an uneven share can move to an idle thread.
 const THICK_SLAB: usize = 16;
 /// Most slabs per thread.
@@ -210,8 +207,7 @@ impl Grid {
         for set in &mut *sets {
             set.rows.clear();
             if self.owned_rows.is_some() {
-                let of_particles = rows_now(set, 0..set.len(), &self.shape, reach);
-                set.rows = starts_of_rows(&of_particles, &self.shape);
+                set.rows = starts_of_rows(set, &self.shape, reach);
             }
         }
         if self.touched.add(rows, &self.shape) {
@@ -459,64 +455,8 @@ impl Grid {
     }
 }
 
-/// The first particle of each base row of all layers, and the number of particles, from the row of each particle, which increase.
-fn starts_of_rows(of_particles: &[usize], shape: &GridShape) -> Vec<usize> {
-    let [layers, rows, _] = shape.bases();
-    let mut starts = Vec::with_capacity(layers * rows + 1);
-    for (p, row) in of_particles.iter().enumerate() {
-        starts.resize(starts.len().max(row + 1), p);
-    }
-    starts.resize(layers * rows + 1, of_particles.len());
-    starts
-}
-
 /// `count` particles in shares of about the same size, `most` at most.
 pub(super) fn shares(count: usize, most: usize) -> impl ExactSizeIterator<Item = Range<usize>> {
     let shares = count.div_ceil(most.max(1)).max(1);
     (0..shares).map(move |share| count * share / shares..count * (share + 1) / shares)
-}
-
-/// Work in each plane, from the numbers of particles that begin there: they reach two more planes, and their weights are made
-/// once.
-fn work_of_planes(particles: &[usize]) -> impl Iterator<Item = usize> {
-    let from = |plane: usize, back: usize| -> usize {
-        plane.checked_sub(back).map_or(0, |plane| particles[plane])
-    };
-    let planes = 0..particles.len();
-    planes.map(move |plane| 2 * from(plane, 0) + from(plane, 1) + from(plane, 2))
-}
-
-/// Adds at most `most` ranges of planes, the most work of one as small as their thickness allows.
-fn cut_into(work: &[usize], most: usize, slabs: &mut Vec<Range<usize>>) {
-    let (mut low, mut high) = (0, work.iter().sum());
-    while low < high {
-        let limit = usize::midpoint(low, high);
-        let mut count = 0;
-        fill(work, limit, |_| count += 1);
-        if count <= most {
-            high = limit;
-        } else {
-            low = limit + 1;
-        }
-    }
-    fill(work, low, |slab| slabs.push(slab));
-}
-
-/// Gives the planes in slabs of at most `limit` work each, where they are as thick as slabs must be.
-fn fill(work: &[usize], limit: usize, mut give: impl FnMut(Range<usize>)) {
-    let (mut start, mut sum) = (0, 0);
-    for (plane, &count) in work.iter().enumerate() {
-        let thinnest = if start == 0 {
-            THINNEST_END
-        } else {
-            THINNEST_SLAB
-        };
-        let thick = plane - start >= thinnest && work.len() - plane >= THINNEST_END;
-        if thick && sum + count > limit {
-            give(start..plane);
-            (start, sum) = (plane, 0);
-        }
-        sum += count;
-    }
-    give(start..work.len());
 }

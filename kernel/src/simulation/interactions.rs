@@ -261,7 +261,12 @@ impl SlabInteraction for SharedPart<'_> {
         self.action.mapped(&mut self.own, slab, context);
     }
 
-    fn correct(&mut self, slab: &mut Slab<'_>, context: &StepContext<'_>, sums: &mut ExactStepSums) {
+    fn correct(
+        &mut self,
+        slab: &mut Slab<'_>,
+        context: &StepContext<'_>,
+        sums: &mut ExactStepSums,
+    ) {
         self.action.correct(&mut self.own, slab, context, sums);
     }
 

@@ -26,6 +26,7 @@ mod ranks;
 mod rehearsal;
 mod relaxation;
 mod result_quality;
+mod slab_cut;
 mod spin;
 mod start;
 mod state;
@@ -39,7 +40,7 @@ mod water;
 mod work_state;
 
 pub use crate::grid::{GridShape, Line};
-pub use crate::stage::solve::{DashpotNode, EmptyNode, ExactStepSums, StepSum, StepSums, Planes};
+pub use crate::stage::solve::{DashpotNode, EmptyNode, ExactStepSums, Planes, StepSum, StepSums};
 pub use conditions::{describe as describe_conditions, nodes_of_traction, of as conditions};
 pub use context::{
     Condition, FieldNodes, NOT_LOCAL, NodalConditions, Node, Remap, StepContext, VelocityMapping,

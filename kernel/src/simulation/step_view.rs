@@ -70,7 +70,7 @@ impl<'a> StepView<'a> {
     pub fn own_particles(&self, set: usize) -> OwnParticles {
         let particles = &self.particles[set];
         match self.ranks {
-            None => OwnParticles::from_iter([0..particles.len()]),
+            None => OwnParticles::all(particles.len()),
             Some(_) => particles.in_block(&self.grid.block(), &self.grid.shape),
         }
     }

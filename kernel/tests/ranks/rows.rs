@@ -12,8 +12,8 @@ use proctor_kernel::simulation::StepErrorKind;
 use proctor_laws::{Newtonian, VonMises};
 use proctor_scene::simulation::{InitialField, Options, Simulation};
 use proctor_scene::{
-    BoxLoad, Damping, Dimension, DomainUpdate, History, Outside, PlaneCondition, Scene, StressScheme,
-    Traction, VolumetricStrain, Weighting,
+    BoxLoad, Damping, Dimension, DomainUpdate, History, Outside, PlaneCondition, Scene,
+    StressScheme, Traction, VolumetricStrain, Weighting,
 };
 use std::sync::Arc;
 
@@ -60,8 +60,13 @@ fn rows_are_cut_where_planes_end() {
     let shape = &simulation.view().grid.shape;
     let forecast = simulation.forecast_ranks(4).expect("there is room");
     assert!(forecast.iter().all(|rank| rank.rows.len() < shape.nodes[1]));
-    let nodes = forecast.iter().map(|rank| rank.planes.len() * rank.rows.len());
-    assert_eq!(nodes.sum::<usize>(), shape.plane_nodes() / shape.nodes[2] * shape.nodes[0]);
+    let nodes = forecast
+        .iter()
+        .map(|rank| rank.planes.len() * rank.rows.len());
+    assert_eq!(
+        nodes.sum::<usize>(),
+        shape.plane_nodes() / shape.nodes[2] * shape.nodes[0]
+    );
     let error = simulation.forecast_ranks(9).expect_err("there is no room");
     assert!(error.to_string().contains("at most 8"), "{error}");
 }
@@ -166,11 +171,11 @@ fn compare_turned(scene: &Scene, steps: usize, initial: &InitialField) -> End {
 
 #[test]
 fn rows_touch_as_one_process() {
-    for (scheme, damping) in SCHEMES.into_iter().zip([
-        Damping::None,
-        Damping::Local { alpha: 0.2 },
-        Damping::None,
-    ]) {
+    for (scheme, damping) in
+        SCHEMES
+            .into_iter()
+            .zip([Damping::None, Damping::Local { alpha: 0.2 }, Damping::None])
+    {
         let mut scene = contact::layers(Dimension::Three);
         (scene.scheme, scene.damping) = (scheme, damping);
         let end = compare_turned(&scene, 80, &contact::sliding(&scene));
@@ -270,7 +275,10 @@ fn a_changed_ghost_of_a_row_is_found() {
     let (_, of_ranks) = shared(&scene, (4, 2), 300, &drifting(&scene, 0.5), Some(meddle));
     for (_, error, _) in of_ranks {
         let error = error.expect("ranks disagree").kind;
-        assert!(matches!(error, StepErrorKind::RanksDisagree { .. }), "{error:?}");
+        assert!(
+            matches!(error, StepErrorKind::RanksDisagree { .. }),
+            "{error:?}"
+        );
     }
 }
 
@@ -296,9 +304,7 @@ fn each_rank_has_the_whole_between_steps_of_rows() {
     assert!(expected.3 >= 5, "{} sorts", expected.3);
     std::thread::scope(|scope| {
         let ranks = threads::ranks(4, None).into_iter();
-        let all: Vec<_> = ranks
-            .map(|rank| scope.spawn(|| run(Some(rank))))
-            .collect();
+        let all: Vec<_> = ranks.map(|rank| scope.spawn(|| run(Some(rank)))).collect();
         for found in all {
             assert_eq!(found.join().expect("no rank panics"), expected);
         }

@@ -9,10 +9,19 @@ use proctor_scene::simulation::{RankForecast, SharingRefusal, Simulation};
 /// The reason for which they cannot share it.
 pub(super) fn shares(simulation: &Simulation, ranks: usize) -> Result<String, SharingRefusal> {
     let shares = simulation.forecast_ranks(ranks)?;
-    let mut table = Table::new(["rank", "particles", "ghosts", "sent per step"]);
+    let mut table = Table::new([
+        "rank",
+        "planes",
+        "rows",
+        "particles",
+        "ghosts",
+        "sent per step",
+    ]);
     for (rank, share) in shares.iter().enumerate() {
         table.push([
             rank.to_string(),
+            share.planes.len().to_string(),
+            share.rows.len().to_string(),
             grouped(share.particles as u64),
             grouped(share.ghosts as u64),
             bytes(share.sent as u64),

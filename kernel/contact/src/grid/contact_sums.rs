@@ -138,11 +138,13 @@ fn unpack(pairs: usize, words: &[u64]) -> ContactResult {
         result.overlaps.push(overlap);
     }
     let (forces, _) = words.rest().as_chunks::<5>();
-    result.forces.extend(forces.iter().map(|&[row, pair, x, y, z]| RowForce {
-        row: row as usize,
-        pair: pair as usize,
-        force: [x, y, z].map(f64::from_bits),
-    }));
+    result
+        .forces
+        .extend(forces.iter().map(|&[row, pair, x, y, z]| RowForce {
+            row: row as usize,
+            pair: pair as usize,
+            force: [x, y, z].map(f64::from_bits),
+        }));
     result
 }
 

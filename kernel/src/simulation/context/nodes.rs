@@ -4,7 +4,7 @@ use super::{Remap, StepContext};
 use crate::grid::Line;
 use crate::model::Vector;
 use crate::simulation::fields::{Owner, Slab, SlabField};
-use crate::stage::solve::{DrivenNode, ExactStepSums, StepSum, Planes, is_ghost};
+use crate::stage::solve::{DrivenNode, ExactStepSums, Planes, StepSum, is_ghost};
 
 /// One velocity field in the planes of nodes that one thread owns.
 pub struct FieldNodes<'s, 'a> {

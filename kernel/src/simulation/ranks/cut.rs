@@ -116,7 +116,11 @@ impl CountsBelow {
                 below = middle;
             }
         }
-        let even = || (0..count).map(|number| self.count() * number / count).collect();
+        let even = || {
+            (0..count)
+                .map(|number| self.count() * number / count)
+                .collect()
+        };
         let mut starts = self.starts(count, fits).unwrap_or_else(even);
         starts.push(self.count());
         Ranges { starts }
@@ -164,7 +168,11 @@ impl Cut {
         let (_, planes, rows) = cuts.reduce(|best, other| {
             // Planes alone come first.
             let limit = if best.2.count() == 1 { WORTH_ROWS } else { 1.0 };
-            if other.0 < limit * best.0 { other } else { best }
+            if other.0 < limit * best.0 {
+                other
+            } else {
+                best
+            }
         })?;
         Some(Self {
             planes,
@@ -265,13 +273,16 @@ impl Cut {
         }
     }
 
-    /// What a rank and its neighbours along the rows, where they are cut, and along the planes have in common: the own
-    /// particles that a neighbour holds, too, and the ghosts here that it owns.
+    /// Particles that a rank and its neighbours hold, along the rows, where they are cut, and along the planes: the own ones
+    /// that a neighbour holds, too, and the ghosts here that it owns.
     pub(super) fn ghosts(&self, rank: usize) -> Vec<CommonParticles> {
         let own = self.block(rank);
         let [of_rows, of_planes] = self.neighbours(rank);
         let ends = |range: &Range<usize>| {
-            let own = [range.start..range.start + 1, range.end.saturating_sub(self.stencil)..range.end];
+            let own = [
+                range.start..range.start + 1,
+                range.end.saturating_sub(self.stencil)..range.end,
+            ];
             let below = range.start.saturating_sub(self.stencil)..range.start;
             (own, [below, range.end..range.end + 1])
         };

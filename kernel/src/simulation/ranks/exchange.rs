@@ -90,7 +90,12 @@ impl Cut {
     ) -> impl Iterator<Item = Message> + use<> {
         let [of_rows, of_planes] = self.neighbours(rank);
         let own = self.block(rank);
-        let ends = |all: &Range<usize>| [all.start..all.start + reach, all.end.saturating_sub(reach)..all.end];
+        let ends = |all: &Range<usize>| {
+            [
+                all.start..all.start + reach,
+                all.end.saturating_sub(reach)..all.end,
+            ]
+        };
         let rows = ends(&own.rows).map(|rows| NodeBlock {
             planes: own.planes.clone(),
             rows,

@@ -1,12 +1,12 @@
 //! Forecast of the shares of ranks, before a simulation is shared.
 
 use super::exchange::{self, DRIVEN};
-use crate::grid::NodeBlock;
 use super::{Interaction, SharingRefusal};
+use crate::grid::NodeBlock;
 use crate::model::StressScheme;
 use crate::simulation::context::NodalConditions;
-use crate::sorting::rows_now;
 use crate::simulation::{Cycle, water};
+use crate::sorting::rows_now;
 use std::ops::Range;
 
 /// The share that a rank would have.
@@ -40,7 +40,9 @@ impl Cycle {
         let rows = sets.flat_map(|set| rows_now(set, 0..set.len(), shape, by));
         let rows: Vec<usize> = rows.collect();
         let particles = |block: &NodeBlock| -> usize {
-            let held = rows.iter().filter(|row| block.contains([*row / per_layer, *row % per_layer, 0]));
+            let held = rows
+                .iter()
+                .filter(|row| block.contains([*row / per_layer, *row % per_layer, 0]));
             held.count()
         };
         let mut nodal = NodalConditions::default();

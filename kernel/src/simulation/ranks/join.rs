@@ -8,23 +8,10 @@ use crate::simulation::Cycle;
 use crate::simulation::tension::LargestStretch;
 use crate::simulation::values::{ParticleAt, StepError, StepErrorKind};
 use crate::stage::g2p::{FaultKind, ParticleMaxima};
-use crate::stage::solve::{EmptyNode, ExactStepSums, StepSums};
 use std::hash::Hasher;
 
 /// Steps from one comparison of ghosts with their owners to the next.
 const STEPS_PER_COMPARISON: u64 = 256;
-/// Word for no node.
-const NO_NODE: u64 = u64::MAX;
-
-/// Result of the equation of motion on all slabs of all ranks.
-pub(in crate::simulation) struct SolvedSlabs {
-    /// Groups of particles with a base node in common.
-    pub(in crate::simulation) groups: usize,
-    /// The first node without mass that a load acts on.
-    pub(in crate::simulation) empty: Option<EmptyNode>,
-    /// Sums over the nodes.
-    pub(in crate::simulation) sums: StepSums,
-}
 
 /// A particle that left the mesh, with the energy and the dead load that go with it.
 pub(in crate::simulation) struct Removed {
@@ -42,7 +29,7 @@ impl Cycle {
     #[must_use]
     pub fn own_particles(&self, set: &ParticleSet) -> OwnParticles {
         match &self.work.share {
-            None => OwnParticles::from_iter([0..set.len()]),
+            None => OwnParticles::all(set.len()),
             Some(_) => set.in_block(&self.work.grid.block(), &self.work.grid.shape),
         }
     }
@@ -102,53 +89,6 @@ impl Cycle {
         };
         let all = ranks.all_gather(&[here as u64]);
         all.iter().flatten().sum::<u64>() as usize
-    }
-
-    /// The result of the equation of motion, from that of each slab.
-    pub(in crate::simulation) fn join_slabs(&self) -> SolvedSlabs {
-        let slabs = &self.work.solved;
-        let groups = slabs.iter().map(|slab| slab.groups).sum();
-        let empty = slabs.iter().find_map(|slab| slab.empty);
-        let of_slabs = slabs.iter().map(|slab| &slab.sums);
-        let Some(ranks) = self.ranks() else {
-            return SolvedSlabs {
-                groups,
-                empty,
-                sums: sum_of(of_slabs),
-            };
-        };
-        let mut words = vec![groups as u64, empty.map_or(NO_NODE, |empty| empty.0 as u64)];
-        pack_sums(of_slabs, &mut words);
-        let (mut all_groups, mut first) = (0, NO_NODE);
-        let mut sums = ExactStepSums::default();
-        for of_rank in ranks.all_gather(&words) {
-            let mut words = Words::of(&of_rank);
-            all_groups += words.count();
-            first = first.min(words.word());
-            sums.merge_packed(words.rest());
-        }
-        SolvedSlabs {
-            groups: all_groups,
-            empty: (first != NO_NODE).then_some(EmptyNode(first as usize)),
-            sums: sums.value(),
-        }
-    }
-
-    /// The sums over the nodes of all slabs, and of all ranks.
-    pub(in crate::simulation) fn join_step_sums<'a>(
-        &self,
-        slabs: impl Iterator<Item = &'a ExactStepSums>,
-    ) -> StepSums {
-        let Some(ranks) = self.ranks() else {
-            return sum_of(slabs);
-        };
-        let mut words = vec![];
-        pack_sums(slabs, &mut words);
-        let mut sums = ExactStepSums::default();
-        for of_rank in ranks.all_gather(&words) {
-            sums.merge_packed(&of_rank);
-        }
-        sums.value()
     }
 
     /// The maxima over the particles of each body that moves freely, after a G2P pass, with the fault of each body; a fault of a
@@ -388,7 +328,8 @@ impl Cycle {
         let mut here = false;
         let hash = |block: &NodeBlock| vec![self.hash_of_block(block)];
         for beside in share.cut.ghosts(share.rank()) {
-            let sent = [0, 1].map(|side| beside.with[side].map_or_else(Vec::new, |_| hash(&beside.own[side])));
+            let sent = [0, 1]
+                .map(|side| beside.with[side].map_or_else(Vec::new, |_| hash(&beside.own[side])));
             let received = share.ranks.exchange(beside.with, sent);
             for (words, ghosts) in received.iter().zip(&beside.ghosts) {
                 here |= !words.is_empty() && *words != hash(ghosts);
@@ -435,26 +376,6 @@ impl Cycle {
             },
         }
     }
-}
-
-/// The sums of some slabs together.
-fn sum_of<'a>(mut slabs: impl Iterator<Item = &'a ExactStepSums>) -> StepSums {
-    let Some(first) = slabs.next() else {
-        return StepSums::default();
-    };
-    let Some(second) = slabs.next() else {
-        return first.value();
-    };
-    let mut all = first.clone();
-    std::iter::once(second).chain(slabs).for_each(|one| all.merge(one));
-    all.value()
-}
-
-/// Adds the sums of some slabs to words.
-fn pack_sums<'a>(slabs: impl Iterator<Item = &'a ExactStepSums>, words: &mut Vec<u64>) {
-    let mut all = ExactStepSums::default();
-    slabs.for_each(|one| all.merge(one));
-    all.pack(words);
 }
 
 /// Words of a particle and where it is.

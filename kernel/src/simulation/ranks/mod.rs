@@ -21,6 +21,7 @@ mod join;
 mod migrate;
 mod packed;
 mod saved;
+mod sums;
 mod whole;
 
 pub use forecast::RankForecast;
@@ -30,11 +31,11 @@ pub use whole::OwnPart;
 
 use super::Cycle;
 use super::interactions::Interaction;
+use crate::grid::NodeBlock;
 use crate::ranks::Ranks;
 use crate::simulation::values::{SharingRefusal, StepError, StepInfo};
 use crate::sorting::rows_now;
 use crate::stage::g2p::ParticleMaxima;
-use crate::grid::NodeBlock;
 use cut::{Cut, ParticleCounts};
 use std::sync::Arc;
 
@@ -201,7 +202,12 @@ impl Cycle {
         };
         let mut rows = vec![0; shape.nodes[1]];
         for set in &self.state.sets {
-            for place in rows_now(set, 0..set.len(), shape, (self.model.family(), self.state.stencil)) {
+            for place in rows_now(
+                set,
+                0..set.len(),
+                shape,
+                (self.model.family(), self.state.stencil),
+            ) {
                 rows[place % shape.bases()[1]] += 1;
             }
         }

@@ -93,7 +93,10 @@ pub(super) fn pack(set: &ParticleSet, places: &[usize], shape: &GridShape, words
     let rows = rows_of(set, places, shape);
     words.reserve(1 + 2 * rows.len() + places.len() * (1 + set.columns.len()));
     words.push(rows.len() as u64);
-    words.extend(rows.iter().flat_map(|one| [one.row, one.count].map(|word| word as u64)));
+    words.extend(
+        rows.iter()
+            .flat_map(|one| [one.row, one.count].map(|word| word as u64)),
+    );
     words.extend(places.iter().map(|&p| set.id[p]));
     for column in &set.columns {
         words.extend(places.iter().map(|&p| column[p].to_bits()));

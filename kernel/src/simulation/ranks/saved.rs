@@ -51,7 +51,9 @@ impl Cycle {
             *set = set.without_particles();
             let columns = set.columns.len();
             let parts = received.iter_mut();
-            let parts: Vec<_> = parts.map(|words| PackedParticles::read(words, columns)).collect();
+            let parts: Vec<_> = parts
+                .map(|words| PackedParticles::read(words, columns))
+                .collect();
             let rows = take_up(set, &parts);
             set.set_rows(rows.iter().map(|one| (one.row, one.count)), false, shape);
             let layers = planes.start..planes.end.min(set.layers.len() - 1);
@@ -97,6 +99,10 @@ impl Cycle {
         self.work.grid.set_owned(share.block());
         let held = share.cut.held(share.rank());
         let first = held.planes.start;
-        Some(if held.rows.is_empty() { first..first } else { held.planes })
+        Some(if held.rows.is_empty() {
+            first..first
+        } else {
+            held.planes
+        })
     }
 }

@@ -87,7 +87,9 @@ impl Cycle {
         for set in &mut self.state.sets {
             let columns = set.columns.len();
             let parts = received.iter_mut();
-            let parts: Vec<_> = parts.map(|words| PackedParticles::read(words, columns)).collect();
+            let parts: Vec<_> = parts
+                .map(|words| PackedParticles::read(words, columns))
+                .collect();
             let rows = take_up(set, &parts);
             let rows = rows.iter().map(|one| (one.row, one.count));
             set.set_rows(rows, keeps_rows, &grid.shape);

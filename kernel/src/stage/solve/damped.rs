@@ -4,7 +4,7 @@
 //! before and after: summed over all forces that is the change of m v²/2 exactly. So what damping takes is the mean
 //! velocity times its impulse, with the sign turned.
 
-use super::{Acceleration, DrivenNode, ExactStepSums, StepSum, Planes, Wall, is_ghost, owned};
+use super::{Acceleration, DrivenNode, ExactStepSums, Planes, StepSum, Wall, is_ghost, owned};
 use crate::grid::Line;
 
 /// Increment of the velocity of a node along an axis under local damping \[m/s\], and what the damping takes \[J\].

@@ -103,7 +103,11 @@ impl ExactStepSums {
     pub fn value(&self) -> StepSums {
         let value = |quantity: StepSum| {
             let i = quantity as usize;
-            if self.used[i] { self.sums[i].value() } else { 0.0 }
+            if self.used[i] {
+                self.sums[i].value()
+            } else {
+                0.0
+            }
         };
         StepSums {
             kinetic: value(StepSum::Kinetic),
