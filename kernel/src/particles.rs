@@ -321,6 +321,13 @@ impl ParticleSet {
         self.rows = if keeps_rows { rows } else { vec![] };
     }
 
+    /// Takes the first particle of each base layer, and the number of particles, as another process has found them.
+    pub fn set_layers(&mut self, layers: Vec<usize>) {
+        self.layers = layers;
+        // Its rows are not known.
+        self.rows.clear();
+    }
+
     /// Keeps some particles alone.
     pub(crate) fn keep(&mut self, kept: &OwnParticles) {
         let of = |starts: &mut Vec<usize>| {

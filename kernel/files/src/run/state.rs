@@ -257,7 +257,7 @@ fn read(
             }
         }
         set.id = id.to_vec();
-        set.layers = layers.iter().map(|&l| l as usize).collect();
+        set.set_layers(layers.iter().map(|&l| l as usize).collect());
         *found = ParticleMaxima {
             speed_squared: was[0],
             wave_speed_squared: was[1],

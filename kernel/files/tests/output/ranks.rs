@@ -76,6 +76,13 @@ fn on_a_plate() -> Scene {
     scene
 }
 
+/// A cylinder that leaves its mesh in space, where six ranks and more share rows, too.
+fn in_space() -> Scene {
+    let mut scene = with_outputs("leaving_cylinder_3d");
+    scene.time = 0.2;
+    scene
+}
+
 /// Runs to the end or to an output; the summary's hash.
 fn run(scene: &Scene, options: &Options, folder: &Path, from: Option<&Path>, stops: usize) -> u64 {
     let mut run =
@@ -191,6 +198,32 @@ fn any_number_of_ranks_goes_on() {
                 &format!("{before}, then {after}"),
             );
         }
+    }
+}
+
+/// Ranks that share rows write the same bytes, and go on from those of other cuts.
+#[test]
+fn ranks_that_share_rows_write_the_files_of_one_process() {
+    let scene = in_space();
+    let alone = tempfile::tempdir().unwrap();
+    let hash = one_process(&scene, alone.path());
+    let number = files(alone.path()).len();
+    assert!(number > 10, "{number} files");
+    for count in [4, 6, 8] {
+        let shared = tempfile::tempdir().unwrap();
+        assert_eq!(run_on(count, false, &scene, shared.path(), (None, 9)), hash);
+        assert_same(shared.path(), alone.path(), &format!("{count} ranks"));
+    }
+    for (before, after) in [(8, 6), (6, 1), (1, 8), (2, 6)] {
+        let shared = tempfile::tempdir().unwrap();
+        let checkpoint = shared.path().join("checkpoint.bin");
+        let on = |count: usize, how: (Option<&Path>, usize)| {
+            run_on(count, false, &scene, shared.path(), how)
+        };
+        assert_ne!(on(before, (None, 2)), hash);
+        assert_eq!(on(after, (Some(&checkpoint), 9)), hash);
+        let what = format!("{before}, then {after}");
+        assert_same(shared.path(), alone.path(), &what);
     }
 }
 
