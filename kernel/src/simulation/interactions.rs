@@ -21,8 +21,8 @@ use std::any::Any;
 /// [`Interaction::move_boundaries`] once it is known how far positions move; [`SlabInteraction::correct_remapped`] and
 /// [`Interaction::settle_remapped`] where velocities are mapped a second time.
 ///
-/// Slabs are visited at once by several threads, and their number must not change a result: sums go to the planes of a
-/// slab, and from there plane by plane.
+/// Slabs are visited at once by several threads, and their number must not change a result: sums over nodes are exact, so that
+/// they may be formed in any order.
 pub trait Interaction: InteractionClone + Any + Send + Sync {
     /// Refuses a scene at its start.
     ///
