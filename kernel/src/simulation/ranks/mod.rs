@@ -160,6 +160,9 @@ impl Cycle {
         };
         share.particles = self.particles();
         share.diffusivity = self.own_diffusivity();
+        if !self.knows_rows() {
+            share.cut = share.cut.waiting();
+        }
         self.keep_part(share);
         let result = step(self);
         self.work.between_steps = self.gather_everywhere();
@@ -169,13 +172,21 @@ impl Cycle {
     /// Cuts the nodes for ranks.
     fn cut_among(&self, ranks: Arc<dyn Ranks>) -> Result<Share, SharingRefusal> {
         let cut = self.cut_by(&self.particle_counts(), ranks.count())?;
-        let knows_rows = self.state.sets.iter().all(|set| !set.rows.is_empty());
         Ok(Share {
-            cut: if knows_rows { cut } else { cut.waiting() },
+            cut: if self.knows_rows() {
+                cut
+            } else {
+                cut.waiting()
+            },
             particles: self.particles(),
             diffusivity: self.own_diffusivity(),
             ranks,
         })
+    }
+
+    /// True if all particles have the rows of the last sort: those of another process do not.
+    fn knows_rows(&self) -> bool {
+        self.state.sets.iter().all(|set| !set.rows.is_empty())
     }
 
     /// Keeps the part of this rank of the whole simulation.
