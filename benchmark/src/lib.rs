@@ -46,6 +46,7 @@ use say::say;
 use std::io::{BufWriter, Write};
 use std::process::ExitCode;
 use std::sync::Arc;
+use suite::Against;
 use verbs::{Amount, Verb};
 
 /// Verifies and measures an explicit material point method (MPM/GIMP) kernel.
@@ -58,6 +59,10 @@ struct Cli {
     verb: Option<Verb>,
     #[command(flatten)]
     amount: Amount,
+    /// Also judge the cases themselves: each gate must react to the number that it names, and each wrong reference must break its
+    /// gates
+    #[arg(long)]
+    wrong_references: bool,
 }
 
 const EXIT_CODES: &str = "\
@@ -91,7 +96,12 @@ pub fn command() -> ExitCode {
     // One writer for everything that goes to standard output: a reader that closes the pipe is then an error
     // value here, not a panic in some print.
     let mut out = BufWriter::new(std::io::stdout().lock());
-    let result = verbs::run(cli.verb.as_ref(), cli.amount, &mut out)
+    let against = if cli.wrong_references {
+        Against::Wrong
+    } else {
+        Against::Correct
+    };
+    let result = verbs::run(cli.verb.as_ref(), cli.amount, against, &mut out)
         .and_then(|outcome| out.flush().map(|()| outcome).map_err(Failure::from));
     let ending = Ending::of(result);
     if let Some(message) = ending.message {

@@ -5,6 +5,7 @@ use crate::side_by_side::side_by_side;
 use proctor_kernel::ranks::{ThreadRank, of_threads};
 use proctor_scene::simulation::Options;
 use proctor_verification::case::{Case, CaseError, Rung, RungResult, Size, Verdict};
+use proctor_verification::check::{self, Runs};
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -22,6 +23,17 @@ pub struct CaseRun {
     pub rungs: Vec<RanRung>,
     /// Verdict of the case on them.
     pub verdict: Verdict,
+    /// Faults of the case itself, where it was run with wrong references too: a gate that notices nothing, or another number.
+    pub faults: Vec<String>,
+}
+
+/// The references that a case is compared with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Against {
+    /// The correct one.
+    Correct,
+    /// The wrong ones too, each of which must break its gates.
+    Wrong,
 }
 
 /// A run of a case.
@@ -55,14 +67,15 @@ impl CaseRun {
         unshared.next().map(|error| error.reason.as_str())
     }
 
-    /// True if every run was solved and every gate passed.
+    /// True if every run was solved, every gate passed, and no fault of the case itself was found.
     #[must_use]
     pub fn passed(&self) -> bool {
-        self.verdict.passed() && self.rungs.iter().all(|rung| rung.solved.is_ok())
+        let solved = self.rungs.iter().all(|rung| rung.solved.is_ok());
+        self.verdict.passed() && solved && self.faults.is_empty()
     }
 }
 
-/// Runs cases side by side, `workers` at a time and each on one thread, as long as `go` says so before each run, and
+/// Runs the short ladders of cases side by side, `workers` at a time and each on one thread, as long as `go` says so before each run, and
 /// hands them to `each` in their order as soon as all before them are there, until one fails. `progress` hears of each case,
 /// by its number, the share that is done.
 ///
@@ -72,7 +85,7 @@ impl CaseRun {
 /// The first error of `each`.
 pub fn run_side_by_side<E>(
     cases: &[&'static Case],
-    size: Size,
+    against: Against,
     options: &Options,
     workers: usize,
     go: &(dyn Fn() -> bool + Sync),
@@ -85,9 +98,11 @@ pub fn run_side_by_side<E>(
     };
     let order: Vec<usize> = (0..cases.len()).collect();
     let work = |k, case: &&'static Case| {
-        run_while(case, size, &options, 1, 1, go, &mut |share| {
-            progress(k, share);
-        })
+        let mut progress = |share| progress(k, share);
+        match against {
+            Against::Correct => run_while(case, Size::Quick, &options, 1, 1, go, &mut progress),
+            Against::Wrong => run_against_wrong(case, &options, go, &mut progress),
+        }
     };
     side_by_side(cases, &order, workers, go, work, each)
 }
@@ -162,6 +177,54 @@ pub fn run_while(
         case,
         rungs,
         verdict,
+        faults: vec![],
+    }
+}
+
+/// Runs the short ladder of a case on one thread, with the correct reference and with each wrong one, as long as `go` says so
+/// before each run. Where all was run, the case itself is judged: each gate reacts to its number, and each wrong reference breaks
+/// its gates. The time of a run is that with all references.
+fn run_against_wrong(
+    case: &'static Case,
+    options: &Options,
+    go: &dyn Fn() -> bool,
+    progress: &mut dyn FnMut(f64),
+) -> CaseRun {
+    let ladder = case.rungs(Size::Quick);
+    let weights = weights(&ladder);
+    let all = ladder.len();
+    let mut ladders = vec![Runs::new(); 1 + case.wrong().len()];
+    let mut rungs = vec![];
+    for (rung, [before, own]) in ladder.into_iter().zip(weights) {
+        if !go() {
+            break;
+        }
+        case.prepare_for(&rung);
+        let mut stopwatch = Stopwatch::default();
+        let mut at = |share| progress(before + share * own);
+        let solved = stopwatch.time_thread(|| check::solve(case, &rung, options, &mut at));
+        progress(before + own);
+        let solved = solved.map(|solved| {
+            let correct = solved[0].clone();
+            check::add(&mut ladders, &rung, solved);
+            correct.expect("a run with the correct reference")
+        });
+        rungs.push(RanRung {
+            rung,
+            solved,
+            samples: vec![stopwatch.spent],
+        });
+    }
+    let faults = if ladders[0].len() == all {
+        check::faults(case, &ladders, &check::shown(case))
+    } else {
+        vec![]
+    };
+    CaseRun {
+        verdict: case.judge(Size::Quick, &ladders[0]),
+        case,
+        rungs,
+        faults,
     }
 }
 
@@ -207,4 +270,39 @@ fn weights(ladder: &[Rung]) -> Vec<[f64; 2]> {
         [before - own, own]
     };
     ladder.iter().map(share).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proctor_verification::case::find;
+    use std::convert::Infallible;
+
+    /// Short ladders of cases, each of which meets its wrong references in another way.
+    fn ran(against: Against) -> Vec<CaseRun> {
+        let names = ["bar", "element", "staggered-start", "slipping-disk"];
+        let cases = names.map(|name| find(name).expect("there is one"));
+        let mut all = vec![];
+        let each = |ran| -> Result<(), Infallible> {
+            all.push(ran);
+            Ok(())
+        };
+        let options = Options::default();
+        let Ok(()) = run_side_by_side(&cases, against, &options, 2, &|| true, &|_, _| (), each);
+        all
+    }
+
+    #[test]
+    fn wrong_references_change_no_number_of_the_correct_one() {
+        let numbers = |all: &[CaseRun]| -> Vec<String> {
+            let rungs = all.iter().flat_map(|ran| &ran.rungs);
+            let solved = rungs.map(|ran| ran.solved.as_ref().expect("it runs"));
+            let quantities = solved.flat_map(|run| &run.quantities);
+            quantities.map(|q| format!("{q:?}")).collect()
+        };
+        let [correct, wrong] = [Against::Correct, Against::Wrong].map(ran);
+        assert!(wrong.iter().all(CaseRun::passed));
+        assert!(wrong.iter().all(|ran| !ran.case.wrong().is_empty()));
+        assert_eq!(numbers(&correct), numbers(&wrong));
+    }
 }

@@ -180,6 +180,7 @@ mod tests {
                 gates: vec![gate],
                 ..Verdict::default()
             },
+            faults: vec![],
         };
         let mut record = Record::new(&Options::default());
         record.push_case(&ran, 1);

@@ -79,6 +79,17 @@ pub fn failed_gates(ran: &CaseRun, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out)
 }
 
+/// Faults of the case itself, where it was run with wrong references too.
+///
+/// # Errors
+/// If `out` cannot be written.
+pub fn faults(ran: &CaseRun, out: &mut dyn Write) -> io::Result<()> {
+    for fault in &ran.faults {
+        writeln!(out, "  FAULT OF THE CASE  {fault}")?;
+    }
+    Ok(())
+}
+
 /// Lines that judge nothing.
 ///
 /// # Errors

@@ -91,7 +91,8 @@ impl Lines {
         writeln!(out)?;
         full::runs(ran, out)?;
         full::tables(ran, out)?;
-        full::failed_gates(ran, out)
+        full::failed_gates(ran, out)?;
+        full::faults(ran, out)
     }
 
     /// The cases that hold far from all of their bounds, in one paragraph: a table is for what is near a bound.
@@ -307,6 +308,7 @@ mod tests {
                 gates: vec![gate],
                 ..CaseVerdict::default()
             },
+            faults: vec![],
         }
     }
 
@@ -386,6 +388,16 @@ mod tests {
         for word in ["FAIL  error: 0.02, at most 0.01", "a reason"] {
             assert!(failed.contains(word), "{word}: {failed}");
         }
+        let faulty = CaseRun {
+            faults: vec!["a wrong stiffness breaks nothing".to_owned()],
+            ..ran(0, 0.008)
+        };
+        let mut text = vec![];
+        lines.case(&faulty, &mut text).expect("written");
+        let text = String::from_utf8(text).expect("text");
+        assert!(text.starts_with("✗ boussinesq    1 of 1"), "{text}");
+        assert!(text.contains("a wrong stiffness breaks nothing"), "{text}");
+        assert!(said(&[faulty], 1, &[], false).contains("; failed: boussinesq"));
     }
 
     #[test]

@@ -24,7 +24,7 @@ use crate::show::summary::{EarlierCases, Lines, Verdict, is_far};
 use crate::show::{case as full, precision as show_study, short, stability as show_stability};
 use crate::side_by_side::{processors, side_by_side};
 use crate::stability::{JobResult, MapRequest, jobs};
-use crate::suite::{self, CaseRun};
+use crate::suite::{self, Against, CaseRun};
 use before::Before;
 use proctor_files::output::atomic;
 use proctor_kernel::lanes::LaneChoice;
@@ -80,7 +80,7 @@ impl Job<'_> {
 }
 
 /// The suites in short, error against run time, and speed; a line each here, everything in a record and a page.
-pub fn run(amount: Amount, out: &mut dyn Write) -> Result<Outcome, Failure> {
+pub fn run(amount: Amount, against: Against, out: &mut dyn Write) -> Result<Outcome, Failure> {
     let begun = Instant::now();
     let options = Options::default();
     let folder = Path::new(FOLDER);
@@ -103,7 +103,7 @@ pub fn run(amount: Amount, out: &mut dyn Write) -> Result<Outcome, Failure> {
         whole: whole(),
         out,
     };
-    let all = job.verify(&options, &mut record)?;
+    let all = job.verify(against, &options, &mut record)?;
     if !job.stop.raised() {
         keep_cases(&record, folder)?;
     }
@@ -204,7 +204,12 @@ fn keep_cases(record: &Record, folder: &Path) -> Result<(), Failure> {
 
 impl Job<'_> {
     /// Short ladders of all cases, as many at a time as there are processors, with the plans of their scenes.
-    fn verify(&mut self, options: &Options, record: &mut Record) -> Result<Vec<CaseRun>, Failure> {
+    fn verify(
+        &mut self,
+        against: Against,
+        options: &Options,
+        record: &mut Record,
+    ) -> Result<Vec<CaseRun>, Failure> {
         let workers = processors();
         let (amount, paint) = (self.amount, self.paint);
         let lines = Lines::new(paint, case::all().iter().map(|case| case.name()));
@@ -232,6 +237,7 @@ impl Job<'_> {
                 if amount.all() {
                     full::runs(&ran, out)?;
                     full::gates(&ran, false, out)?;
+                    full::faults(&ran, out)?;
                 } else if amount.more_than_the_verdict() && !is_far(&ran) {
                     lines.case(&ran, out)?;
                 }
@@ -250,17 +256,17 @@ impl Job<'_> {
         };
         let go = || !stop.raised();
         let progress = |case: usize, share: f64| whole.at(case, share);
-        suite::run_side_by_side(
-            case::all(),
-            Size::Quick,
-            options,
-            workers,
-            &go,
-            &progress,
-            each,
-        )?;
+        suite::run_side_by_side(case::all(), against, options, workers, &go, &progress, each)?;
+        let stopped = self.stop.raised();
         if amount.more_than_the_verdict() && !amount.all() {
             self.tell(|out| lines.far(all.iter(), out))?;
+        }
+        let sound = all.iter().all(|ran| ran.faults.is_empty());
+        if against == Against::Wrong && sound && amount.more_than_the_verdict() && !stopped {
+            let wrong: usize = all.iter().map(|ran| ran.case.wrong().len()).sum();
+            self.tell(|out| {
+                writeln!(out, "Each gate reacts to its number, and {wrong} wrong references break what they must")
+            })?;
         }
         Ok(all)
     }

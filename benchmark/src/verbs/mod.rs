@@ -28,6 +28,7 @@ mod verify;
 
 use crate::exit::{Failure, Outcome};
 use crate::say::say;
+use crate::suite::Against;
 pub use amount::Amount;
 use clap::Subcommand;
 use proctor_files::json::{SceneSource, SourceMap, Stage};
@@ -82,10 +83,15 @@ pub enum Verb {
     Schema(schema::Schema),
 }
 
-/// Runs a verb; without one, the main job, which prints that much.
-pub fn run(verb: Option<&Verb>, amount: Amount, out: &mut dyn Write) -> Result<Outcome, Failure> {
+/// Runs a verb; without one, the main job, against those references, which prints that much.
+pub fn run(
+    verb: Option<&Verb>,
+    amount: Amount,
+    against: Against,
+    out: &mut dyn Write,
+) -> Result<Outcome, Failure> {
     match verb {
-        None => main_job::run(amount, out),
+        None => main_job::run(amount, against, out),
         Some(Verb::New(new)) => new.run(out),
         Some(Verb::Keys(keys)) => keys.run(out),
         Some(Verb::Run(run)) => run.run(out),

@@ -187,7 +187,7 @@ impl Case {
     }
 
     /// Runs a rung once with its own settings and compares it with each of several references; `None` where a run is another with
-    /// each of them.
+    /// each of them. `progress` is called as by [`Case::solve`].
     ///
     /// # Errors
     /// As [`Case::solve`].
@@ -197,9 +197,10 @@ impl Case {
         rung: &Rung,
         options: &Options,
         references: &[Reference],
+        progress: &mut dyn FnMut(f64),
     ) -> Option<Result<Vec<RungResult>, CaseError>> {
         if let Some(refer) = self.refer {
-            let solved = self.solve(rung, options, &mut |_| ());
+            let solved = self.solve(rung, options, progress);
             let again = |reference: &Reference, mut solved: RungResult| {
                 refer(rung, *reference, &mut solved);
                 solved
@@ -216,7 +217,8 @@ impl Case {
             return None;
         };
         let settings = self.own_settings(rung);
-        let solved = self.simulate(rung, &settings, options, &mut |_| (), |mut run| {
+        let mut observer = |share| progress(share);
+        let solved = self.simulate(rung, &settings, options, &mut observer, |mut run| {
             step(&mut run)?;
             let one = |reference: &Reference| {
                 run.reference = *reference;
