@@ -60,6 +60,7 @@ fn drag_along<const D: usize>(
     let (kick, gravity) = (context.nodal.kick, context.nodal.gravity);
     let ratios = water.drag_ratios();
     let edges = [Owner::Phase, Owner::Water].map(|owner| Edges::of(context.walls_of(owner), shape));
+    let mut of_row = RowSums::default();
     for_both(slab, |node, skeleton, flow| {
         let b = flow[SPARE];
         flow[SPARE] = porosity(&water, skeleton, flow);
@@ -97,10 +98,11 @@ fn drag_along<const D: usize>(
         if is_ghost {
             return;
         }
-        sums.add(StepSum::Drag, taken);
         let weight = |axis: usize| gravity[axis] * flow[1 + axis];
-        sums.add(StepSum::Power, flow[0] * (0..D).map(weight).sum::<f64>());
+        let power = flow[0] * (0..D).map(weight).sum::<f64>();
+        of_row.add([node.at[0], node.at[1]], [taken, power], sums);
     });
+    of_row.end(sums);
     each_pressed(slab, context, |node, skeleton, flow| {
         if edges.iter().any(|edges| edges.at(node.at) & GHOST != 0) {
             return;
@@ -108,6 +110,34 @@ fn drag_along<const D: usize>(
         let seeping = flow[1 + node.axis] - skeleton[1 + node.axis];
         sums.add(StepSum::Power, flow[SPARE] * node.force * seeping);
     });
+}
+
+/// Drag and power of one row of nodes: exact sums take a row at a time.
+#[derive(Default)]
+struct RowSums {
+    /// Plane and row.
+    at: [usize; 2],
+    drag: f64,
+    power: f64,
+}
+
+impl RowSums {
+    /// Adds drag and power of a node of a row; a row that ends goes to the sums.
+    #[inline(always)]
+    fn add(&mut self, at: [usize; 2], [drag, power]: [f64; 2], sums: &mut ExactStepSums) {
+        if at != self.at {
+            self.end(sums);
+            self.at = at;
+        }
+        self.drag += drag;
+        self.power += power;
+    }
+
+    /// Gives the row to the sums.
+    fn end(&mut self, sums: &mut ExactStepSums) {
+        sums.add(StepSum::Drag, std::mem::take(&mut self.drag));
+        sums.add(StepSum::Power, std::mem::take(&mut self.power));
+    }
 }
 
 /// Bit of what [`Edges::at`] finds for a ghost of a wall.
