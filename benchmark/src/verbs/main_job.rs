@@ -262,7 +262,7 @@ impl Job<'_> {
             self.tell(|out| lines.far(all.iter(), out))?;
         }
         let sound = all.iter().all(|ran| ran.faults.is_empty());
-        if against == Against::Wrong && sound && amount.more_than_the_verdict() && !stopped {
+        if against == Against::Wrong && sound && amount.all() && !stopped {
             let wrong: usize = all.iter().map(|ran| ran.case.wrong().len()).sum();
             self.tell(|out| {
                 writeln!(out, "Each gate reacts to its number, and {wrong} wrong references break what they must")
