@@ -32,7 +32,7 @@ BY_HAND = {
          "let (_, e) = deviator::<L, D>(&e);",
          "let (_, shear) = deviator::<L, D>(&e); let e = if @ { e } else { shear };")],
     "frame-stress-names": [
-        ("kernel/files/src/run/files.rs",
+        ("kernel/files/src/run/frames.rs",
          'scalar(&format!("Stress_{}", STRESS[i]), &|s, p| {',
          'scalar(&format!("Stress_{}", STRESS[if @ && [3, 4].contains(&i) { 7 - i } else { i }]), &|s, p| {'),
         ("kernel/files/src/run/probes.rs",
@@ -69,8 +69,9 @@ BY_HAND = {
          "(poisson > (if @ { 1.0 + LOCKS * 1e-9 } else { LOCKS * (1.0 + 1e-9) })).then(|| {")],
     "ranks-count-ghosts": [
         ("kernel/src/simulation/ranks/join.rs",
-         "Some(share) => set.in_layers(share.planes()),",
-         "Some(share) => if @ { 0..set.len() } else { set.in_layers(share.planes()) },")],
+         "Some(_) => set.in_block(&self.work.grid.block(), &self.work.grid.shape),",
+         "Some(_) => if @ { OwnParticles::all(set.len()) } else { set.in_block(&self.work.grid.block(), "
+         "&self.work.grid.shape) },")],
     "solve-ghosts-have-energy": [
         ("kernel/src/stage/solve.rs",
          "|| (index >= GHOSTS_BELOW",
@@ -113,10 +114,9 @@ BY_HAND = {
          "let stiffness = skeleton_squared * (1.0 - porosity) * self.grain_density + self.bulk / porosity;\n"
          "let (a, root) = if @ { (2.0 * stiffness / together, 0.0) } else { (a, root) };")],
     "water-whole-cell-at-plane": [
-        ("kernel/src/stage/water.rs",
-         ".then(|| inwards * self.pressure.at(shape, at) * (2.0 * volume / shape.cell[self.axis]))",
-         ".then(|| inwards * self.pressure.at(shape, at) * ((if @ { volume } else { 2.0 * volume }) "
-         "/ shape.cell[self.axis]))")],
+        ("kernel/src/simulation/water/pressed.rs",
+         "area: 2.0 * volume / h,",
+         "area: (if @ { volume } else { 2.0 * volume }) / h,")],
     "weight-without-mesh-shift": [
         ("kernel/src/simulation/measure.rs",
          "std::array::from_fn(|axis| set.position(p)[axis] + self.state.mesh_shift[axis]);",
