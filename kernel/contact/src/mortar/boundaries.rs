@@ -2,7 +2,7 @@
 
 use super::error::MortarError;
 use super::mirrors::Mirrors;
-use super::neighbours::StepSums;
+use super::neighbours::NodeSums;
 use super::pair::MortarPair;
 use super::patch::{Patch, force_at, from_vector, in_scene, velocity_at, velocity_of};
 use super::surface::stays;
@@ -25,7 +25,7 @@ pub(crate) struct Boundaries<B, const D: usize, const N: usize, const T: usize> 
     pub(crate) surfaces: Vec<MovingBoundary<B, D, N>>,
     pub(crate) pairs: Vec<MortarPair<D, T>>,
     /// Memory of [`NeighbourParticles::find_gradients`](super::around::NeighbourParticles::find_gradients).
-    sums: StepSums<D>,
+    sums: NodeSums<D>,
 }
 
 impl<B, const D: usize, const N: usize, const T: usize> Default for Boundaries<B, D, N, T> {

@@ -66,7 +66,7 @@ struct NeighbourLists<const D: usize> {
 
 /// Sums at the nodes of the grid, for one body after the other. Those at nodes that no vertex hangs on mean nothing, and
 /// are not set to zero.
-pub(super) type StepSums<const D: usize> = Vec<HalfLineColumns<D>>;
+pub(super) type NodeSums<const D: usize> = Vec<HalfLineColumns<D>>;
 
 /// A node that a vertex hangs on.
 #[derive(Clone, Copy, Debug)]
@@ -231,7 +231,7 @@ impl<const D: usize> NeighbourParticles<D> {
         follow: FollowMode,
         (shape, mirrors): (&GridShape, &Mirrors),
         team: &Team,
-        sums: &mut StepSums<D>,
+        sums: &mut NodeSums<D>,
     ) {
         let mut of_particles = std::mem::take(&mut self.lists.of_particles);
         of_particles.resize(self.particles.len(), [[0.0; 4]; D]);
