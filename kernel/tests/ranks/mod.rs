@@ -43,23 +43,28 @@ fn ranks_change_no_bit() {
                 index += 1;
                 let mut scene = strip(dimension);
                 (scene.weighting, scene.transfer, scene.scheme) = (weighting, transfer, scheme);
-                scene.damping = match index % 4 {
-                    0 => Damping::Local { alpha: 0.2 },
-                    1 => Damping::Viscous { alpha: 0.1 },
-                    2 => Damping::Kinetic,
-                    _ => Damping::None,
-                };
-                if index % 2 == 0 {
-                    scene.box_loads = vec![BoxLoad {
-                        p1: [0.0; 3],
-                        p2: [1.0; 3],
-                        force: [0.0, 5.0, 0.0],
-                    }];
-                }
+                in_turn(&mut scene, index);
                 let end = compare(&scene, 80, 8.0);
                 assert!(end.sorts >= 10, "{} sorts of {scene:?}", end.sorts);
             }
         }
+    }
+}
+
+/// Gives scenes of a list each kind of damping in turn, and each second one a box load.
+fn in_turn(scene: &mut Scene, index: usize) {
+    scene.damping = match index % 4 {
+        0 => Damping::Local { alpha: 0.2 },
+        1 => Damping::Viscous { alpha: 0.1 },
+        2 => Damping::Kinetic,
+        _ => Damping::None,
+    };
+    if index.is_multiple_of(2) {
+        scene.box_loads = vec![BoxLoad {
+            p1: [0.0; 3],
+            p2: [1.0; 3],
+            force: [0.0, 5.0, 0.0],
+        }];
     }
 }
 

@@ -3,15 +3,15 @@
 use super::harness::{End, compare_teams, drifting, end, plate, shared, start, step, strip};
 use super::threads::{self, Meddle};
 use super::turned::turned;
-use super::{absorbing, contact, driven_shapes, surfaces, water};
+use super::{absorbing, contact, driven_shapes, in_turn, surfaces, water};
 use crate::common::{APIC, FLIP, MLS, NEVER, SCHEMES, material, options};
 use proctor_kernel::ranks::Ranks;
 use proctor_kernel::simulation::StepErrorKind;
 use proctor_laws::{Newtonian, VonMises};
 use proctor_scene::simulation::{InitialField, Options, Simulation};
 use proctor_scene::{
-    BoxLoad, Damping, Dimension, DomainUpdate, History, Outside, PlaneCondition, Scene,
-    StressScheme, Traction, VolumetricStrain, Weighting,
+    Damping, Dimension, DomainUpdate, History, Outside, PlaneCondition, Scene, StressScheme,
+    Traction, VolumetricStrain, Weighting,
 };
 use std::sync::Arc;
 
@@ -39,19 +39,7 @@ fn ranks_that_share_rows_change_no_bit() {
             index += 1;
             let mut scene = plate();
             (scene.weighting, scene.transfer, scene.scheme) = (weighting, transfer, scheme);
-            scene.damping = match index % 4 {
-                0 => Damping::Local { alpha: 0.2 },
-                1 => Damping::Viscous { alpha: 0.1 },
-                2 => Damping::Kinetic,
-                _ => Damping::None,
-            };
-            if index % 2 == 0 {
-                scene.box_loads = vec![BoxLoad {
-                    p1: [0.0; 3],
-                    p2: [1.0; 3],
-                    force: [0.0, 5.0, 0.0],
-                }];
-            }
+            in_turn(&mut scene, index);
             let end = compare(&scene, 80, 3.0);
             assert!(end.sorts >= 10, "{} sorts of {scene:?}", end.sorts);
         }

@@ -184,20 +184,22 @@ fn any_number_of_ranks_goes_on() {
     for scene in [scene(), ground(), on_a_plate()] {
         let alone = tempfile::tempdir().unwrap();
         let hash = one_process(&scene, alone.path());
-        for (before, after) in [(2, 3), (2, 1), (1, 2)] {
-            let shared = tempfile::tempdir().unwrap();
-            let checkpoint = shared.path().join("checkpoint.bin");
-            let on = |count: usize, how: (Option<&Path>, usize)| {
-                run_on(count, false, &scene, shared.path(), how)
-            };
-            assert_ne!(on(before, (None, 2)), hash);
-            assert_eq!(on(after, (Some(&checkpoint), 9)), hash);
-            assert_same(
-                shared.path(),
-                alone.path(),
-                &format!("{before}, then {after}"),
-            );
-        }
+        any_goes_on(&scene, (alone.path(), hash), &[(2, 3), (2, 1), (1, 2)]);
+    }
+}
+
+/// Runs that end early on the first number of ranks go on on the second, to the files of one process.
+fn any_goes_on(scene: &Scene, (alone, hash): (&Path, u64), cuts: &[(usize, usize)]) {
+    for (before, after) in cuts {
+        let shared = tempfile::tempdir().unwrap();
+        let checkpoint = shared.path().join("checkpoint.bin");
+        let on = |count: usize, how: (Option<&Path>, usize)| {
+            run_on(count, false, scene, shared.path(), how)
+        };
+        assert_ne!(on(*before, (None, 2)), hash);
+        assert_eq!(on(*after, (Some(&checkpoint), 9)), hash);
+        let what = format!("{before}, then {after}");
+        assert_same(shared.path(), alone, &what);
     }
 }
 
@@ -214,17 +216,8 @@ fn ranks_that_share_rows_write_the_files_of_one_process() {
         assert_eq!(run_on(count, false, &scene, shared.path(), (None, 9)), hash);
         assert_same(shared.path(), alone.path(), &format!("{count} ranks"));
     }
-    for (before, after) in [(8, 6), (6, 1), (1, 8), (2, 6)] {
-        let shared = tempfile::tempdir().unwrap();
-        let checkpoint = shared.path().join("checkpoint.bin");
-        let on = |count: usize, how: (Option<&Path>, usize)| {
-            run_on(count, false, &scene, shared.path(), how)
-        };
-        assert_ne!(on(before, (None, 2)), hash);
-        assert_eq!(on(after, (Some(&checkpoint), 9)), hash);
-        let what = format!("{before}, then {after}");
-        assert_same(shared.path(), alone.path(), &what);
-    }
+    let cuts = [(8, 6), (6, 1), (1, 8), (2, 6)];
+    any_goes_on(&scene, (alone.path(), hash), &cuts);
 }
 
 /// Gravity and box loads change at a restart, on ranks as on one process.
