@@ -28,6 +28,7 @@ use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::time::Duration;
 
 /// Run a scene; write frames, history and a summary.
 ///
@@ -67,6 +68,8 @@ pub struct Run {
 #[derive(Default)]
 struct Tally {
     stopwatch: Stopwatch,
+    /// Time in messages while stepping, where there are ranks.
+    messages: Option<Duration>,
     particle_steps: f64,
     bounds: BTreeMap<&'static str, u64>,
 }
@@ -202,12 +205,7 @@ impl Run {
         }
         let first = run.simulation().steps();
         let mut tally = Tally::default();
-        let in_messages = || options.ranks.as_ref().map(|ranks| ranks.message_time());
-        let before = in_messages();
-        let fault = drive(&mut run, &mut tally, interrupt);
-        let messages = in_messages()
-            .zip(before)
-            .map(|(after, before)| after.saturating_sub(before));
+        let fault = drive(&mut run, &mut tally, options.ranks.as_deref(), interrupt);
         let mut summary = run.summary();
         if let Some(fault) = fault {
             summary.status = Status::Failed;
@@ -217,7 +215,7 @@ impl Run {
         let spent = tally.stopwatch.spent;
         summary.wall_seconds = Some(spent.wall.as_secs_f64());
         summary.cpu_seconds = Some(spent.cpu.as_secs_f64());
-        summary.message_seconds = messages.map(|time| time.as_secs_f64());
+        summary.message_seconds = tally.messages.map(|time| time.as_secs_f64());
         summary.ns_per_particle_step = spent.ns_per(tally.particle_steps);
         let written = save(&summary, run.folder());
         write!(
@@ -280,12 +278,18 @@ fn told(places: &SourceMap, error: &RunError) -> String {
 }
 
 /// Runs from output time to output time; returns why it ended early, if it failed.
-fn drive(run: &mut KernelRun, tally: &mut Tally, interrupt: &Interrupt) -> Option<RunError> {
+fn drive(
+    run: &mut KernelRun,
+    tally: &mut Tally,
+    ranks: Option<&dyn Ranks>,
+    interrupt: &Interrupt,
+) -> Option<RunError> {
     let name = run.simulation().scene().name.clone();
     let end = run.simulation().scene().time;
     let mut progress = Progress::new(&name);
     while let Some(stop) = run.next_stop() {
         let (before, particles) = (run.simulation().steps(), run.simulation().particles());
+        let messages_before = ranks.map(|ranks| ranks.message_time());
         let (stopwatch, bounds) = (&mut tally.stopwatch, &mut tally.bounds);
         let advanced = stopwatch.time(|| {
             run.advance(stop, |info: &StepInfo| {
@@ -298,6 +302,10 @@ fn drive(run: &mut KernelRun, tally: &mut Tally, interrupt: &Interrupt) -> Optio
                 }
             })
         });
+        if let Some((ranks, before)) = ranks.zip(messages_before) {
+            let spent = ranks.message_time().saturating_sub(before);
+            *tally.messages.get_or_insert_default() += spent;
+        }
         tally.particle_steps += particles as f64 * (run.simulation().steps() - before) as f64;
         if let Err(error) = advanced {
             return Some(error);

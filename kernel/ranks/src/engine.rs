@@ -6,15 +6,23 @@
 use mpi::Threading;
 use mpi::datatype::PartitionMut;
 use mpi::environment::Universe;
-use mpi::request::{WaitGuard, scope};
+use mpi::request::{Request, Scope, scope};
 use mpi::topology::SimpleCommunicator;
-use mpi::traits::{Communicator, CommunicatorCollectives, Destination, Source};
+use mpi::traits::{Communicator, CommunicatorCollectives, Destination, MatchedReceiveVec, Source};
 use proctor_kernel::ranks::Ranks;
 use std::cell::RefCell;
 use std::fmt;
+use std::num::NonZero;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::thread;
 use std::time::{Duration, Instant};
+
+/// How long a rank looks for a message without a rest, where each rank of its machine has a processor.
+const EAGER: Duration = Duration::from_micros(200);
+/// Rest between two looks after that: as short as the system lets it be, about fifty microseconds. The processor is then free for a
+/// rank or program that works.
+const REST: Duration = Duration::from_micros(1);
 
 thread_local! {
     /// The communicator of all ranks, on the thread that started MPI.
@@ -65,6 +73,7 @@ impl Engine {
         let ranks = World {
             rank: world.rank() as usize,
             count: world.size() as usize,
+            eager: eager(&world),
             message_nanoseconds: AtomicU64::new(0),
         };
         WORLD.set(Some(world));
@@ -88,10 +97,23 @@ impl Drop for Engine {
     }
 }
 
+/// [`EAGER`], or nothing where this machine has fewer processors than ranks. All ranks call it.
+fn eager(world: &SimpleCommunicator) -> Duration {
+    let here = world.split_shared(world.rank()).size() as usize;
+    let processors = thread::available_parallelism().map_or(1, NonZero::get);
+    if here > processors {
+        Duration::ZERO
+    } else {
+        EAGER
+    }
+}
+
 /// All ranks.
 struct World {
     rank: usize,
     count: usize,
+    /// How long it looks for a message without a rest.
+    eager: Duration,
     /// Time in messages so far.
     message_nanoseconds: AtomicU64,
 }
@@ -107,6 +129,37 @@ impl World {
         let took = start.elapsed().as_nanos() as u64;
         self.message_nanoseconds.fetch_add(took, Ordering::Relaxed);
         result
+    }
+}
+
+impl World {
+    /// Looks until something is found. MPI itself looks without a rest: ranks that wait would take the time of those that work
+    /// wherever a machine has fewer processors than it has work.
+    fn wait<T>(&self, mut look: impl FnMut() -> Option<T>) -> T {
+        let begun = Instant::now();
+        loop {
+            if let Some(found) = look() {
+                return found;
+            }
+            if begun.elapsed() >= self.eager {
+                thread::sleep(REST);
+            }
+        }
+    }
+
+    /// The next words from a rank.
+    fn receive(&self, from: &impl Source) -> Vec<u64> {
+        let arrived = self.wait(|| from.immediate_matched_probe());
+        arrived.matched_receive_vec().0
+    }
+
+    /// Waits until a message or a collective operation has ended.
+    fn finish<'a, D: ?Sized, S: Scope<'a>>(&self, request: Request<'a, D, S>) {
+        let mut open = Some(request);
+        self.wait(|| {
+            open = open.take()?.test().err();
+            open.is_none().then_some(())
+        });
     }
 }
 
@@ -126,7 +179,10 @@ impl Ranks for World {
     fn all_gather(&self, own: &[u64]) -> Vec<Vec<u64>> {
         self.speak(|world| {
             let mut counts = vec![0_i32; self.count];
-            world.all_gather_into(&(own.len() as i32), &mut counts[..]);
+            let length = own.len() as i32;
+            scope(|scope| {
+                self.finish(world.immediate_all_gather_into(scope, &length, &mut counts[..]));
+            });
             let mut starts = Vec::with_capacity(self.count);
             let mut end = 0;
             for count in &counts {
@@ -136,7 +192,9 @@ impl Ranks for World {
             let mut words = vec![0_u64; end as usize];
             {
                 let mut parts = PartitionMut::new(&mut words[..], &counts[..], &starts[..]);
-                world.all_gather_varcount_into(own, &mut parts);
+                scope(|scope| {
+                    self.finish(world.immediate_all_gather_varcount_into(scope, own, &mut parts));
+                });
             }
             let mut rest = &words[..];
             counts
@@ -159,10 +217,11 @@ impl Ranks for World {
             received[self.rank] = own;
             scope(|scope| {
                 let send = |rank| process(rank).immediate_send(scope, &parts[rank][..]);
-                let _sent: Vec<_> = others().map(|rank| WaitGuard::from(send(rank))).collect();
+                let sent: Vec<_> = others().map(send).collect();
                 for rank in others() {
-                    received[rank] = process(rank).receive_vec().0;
+                    received[rank] = self.receive(&process(rank));
                 }
+                sent.into_iter().for_each(|sent| self.finish(sent));
             });
             received
         })
@@ -174,18 +233,18 @@ impl Ranks for World {
             let mut received = [vec![], vec![]];
             scope(|scope| {
                 let sends = with.iter().zip(&to);
-                let _sent: Vec<_> = sends
+                let sent: Vec<_> = sends
                     .filter_map(|(rank, words)| {
                         let rank = (*rank)?;
-                        let sent = process(rank).immediate_send(scope, &words[..]);
-                        Some(WaitGuard::from(sent))
+                        Some(process(rank).immediate_send(scope, &words[..]))
                     })
                     .collect();
                 for (rank, words) in with.iter().zip(&mut received) {
                     if let Some(rank) = *rank {
-                        *words = process(rank).receive_vec().0;
+                        *words = self.receive(&process(rank));
                     }
                 }
+                sent.into_iter().for_each(|sent| self.finish(sent));
             });
             received
         })
