@@ -7,6 +7,7 @@ use super::change::{Change, Direction, RecordedValue, tolerance};
 use crate::record::{Meaning, renamed};
 use proctor_files::output::{OutputError, atomic};
 use serde::{Deserialize, Serialize};
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
@@ -48,8 +49,14 @@ pub struct Line {
 /// All accepted changes, in their order.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Ledger {
-    /// Line by line.
-    pub lines: Vec<Line>,
+    lines: Vec<Line>,
+    /// Places of the lines of each number: a comparison looks up every number of a record.
+    of_number: HashMap<String, Vec<usize>>,
+}
+
+/// Key of a number in [`Ledger::of_number`]. No name has a line break.
+fn key(ladder: &str, case: &str, number: &str) -> String {
+    [ladder, case, number].join("\n")
 }
 
 /// A ledger that cannot be read.
@@ -61,6 +68,23 @@ pub struct LedgerError {
 }
 
 impl Ledger {
+    /// The ledger of these lines.
+    #[must_use]
+    pub fn new(lines: Vec<Line>) -> Self {
+        let mut ledger = Self::default();
+        ledger.append(lines);
+        ledger
+    }
+
+    /// Adds lines at the end.
+    pub fn append(&mut self, lines: Vec<Line>) {
+        for (line, place) in lines.iter().zip(self.lines.len()..) {
+            let key = key(&line.ladder, &line.case, &line.number);
+            self.of_number.entry(key).or_default().push(place);
+        }
+        self.lines.extend(lines);
+    }
+
     /// Reads a ledger, with all names as they are today ([`renamed`]).
     ///
     /// # Errors
@@ -81,11 +105,17 @@ impl Ledger {
                 reason: format!("line {}: no reason is given", at + 2),
             });
         }
+        // Most names stand in many lines.
+        let (mut cases, mut numbers) = (HashMap::new(), HashMap::new());
         for line in &mut lines {
-            line.case = renamed::name(&line.case).into_owned();
-            line.number = renamed::key_of_row(&line.number).into_owned();
+            let today = cases.entry(line.case.clone());
+            let today = today.or_insert_with_key(|case| renamed::name(case).into_owned());
+            line.case.clone_from(today);
+            let today = numbers.entry(line.number.clone());
+            let today = today.or_insert_with_key(|number| renamed::key_of_row(number).into_owned());
+            line.number.clone_from(today);
         }
-        Ok(Self { lines })
+        Ok(Self::new(lines))
     }
 
     /// Writes the ledger, atomically.
@@ -159,15 +189,12 @@ impl Ledger {
         (change.better.loss(best, head) > tolerance(change.meaning)).then_some(best)
     }
 
-    fn of<'a>(
-        &'a self,
-        ladder: &'a str,
-        case: &'a str,
-        number: &'a str,
-    ) -> impl Iterator<Item = &'a Line> {
-        self.lines
-            .iter()
-            .filter(move |line| line.ladder == ladder && line.case == case && line.number == number)
+    fn of(&self, ladder: &str, case: &str, number: &str) -> impl Iterator<Item = &Line> {
+        let places = self.of_number.get(&key(ladder, case, number));
+        places
+            .into_iter()
+            .flatten()
+            .map(|place| &self.lines[*place])
     }
 
     /// The line that accepts a change.

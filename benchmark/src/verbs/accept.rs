@@ -98,7 +98,7 @@ impl Accept {
             )?;
             return Ok(Outcome::Failed);
         }
-        ledger.lines.extend(lines.into_iter().map(|(line, _)| line));
+        ledger.append(lines.into_iter().map(|(line, _)| line).collect());
         ledger.write(&self.ledger).map_err(Failure::bad_input)?;
         writeln!(out, "{all} changes taken into {}", self.ledger.display())?;
         Ok(Outcome::Fine)

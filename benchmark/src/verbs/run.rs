@@ -289,7 +289,7 @@ fn drive(
     let mut progress = Progress::new(&name);
     while let Some(stop) = run.next_stop() {
         let (before, particles) = (run.simulation().steps(), run.simulation().particles());
-        let messages_before = ranks.map(|ranks| ranks.message_time());
+        let messages_before = ranks.map(Ranks::message_time);
         let (stopwatch, bounds) = (&mut tally.stopwatch, &mut tally.bounds);
         let advanced = stopwatch.time(|| {
             run.advance(stop, |info: &StepInfo| {

@@ -34,7 +34,7 @@ fn compare_accepted(base: &Record, head: &Record) -> Comparison {
             line
         };
         let lines: Vec<_> = rose.map(line).collect();
-        ledger.lines.extend(lines);
+        ledger.append(lines);
     }
     let rules = Rules {
         ledger: Some(&ledger),

@@ -29,7 +29,7 @@ fn line(number: &str, from: f64, to: f64, what: ChangeKind) -> Line {
 }
 
 fn compared(base: &Record, head: &Record, lines: Vec<Line>, strict: bool) -> Comparison {
-    let ledger = Ledger { lines };
+    let ledger = Ledger::new(lines);
     let rules = Rules {
         ignore_time: true,
         ledger: Some(&ledger),
@@ -162,22 +162,20 @@ fn strictly_every_difference_needs_a_line() {
 fn a_ledger_reads_as_it_was_written_and_only_grows() {
     let folder = TempDir::new().expect("a folder");
     let path = folder.path().join("ledger.csv");
-    let mut ledger = Ledger::default();
-    ledger.write(&path).expect("written");
-    assert_eq!(Ledger::read(&path).expect("read"), ledger);
-    ledger
-        .lines
-        .push(line("error_u", 1e-300, 0.1 + 0.2, ChangeKind::Worse));
-    ledger.lines[0].reason = "a comma, a \"quote\"".to_owned();
+    let empty = Ledger::default();
+    empty.write(&path).expect("written");
+    assert_eq!(Ledger::read(&path).expect("read"), empty);
+    let with_reason = |reason: &str| Line {
+        reason: reason.to_owned(),
+        ..line("error_u", 1e-300, 0.1 + 0.2, ChangeKind::Worse)
+    };
+    let ledger = Ledger::new(vec![with_reason("a comma, a \"quote\"")]);
     ledger.write(&path).expect("written");
     let read = Ledger::read(&path).expect("read");
     assert_eq!(read, ledger);
-    assert!(read.continues(&Ledger::default()) && read.continues(&ledger));
-    let mut other = ledger.clone();
-    other.lines[0].reason = "another".to_owned();
-    assert!(!read.continues(&other));
-    other.lines.clear();
-    assert!(!other.continues(&read));
+    assert!(read.continues(&empty) && read.continues(&ledger));
+    assert!(!read.continues(&Ledger::new(vec![with_reason("another")])));
+    assert!(!empty.continues(&read));
 }
 
 #[test]
@@ -186,9 +184,7 @@ fn a_line_without_a_reason_is_refused() {
     let path = folder.path().join("ledger.csv");
     let mut bare = line("error_u", 0.1, 0.2, ChangeKind::Worse);
     bare.reason = " ".to_owned();
-    let ledger = Ledger {
-        lines: vec![line("error_u", 0.1, 0.2, ChangeKind::Worse), bare],
-    };
+    let ledger = Ledger::new(vec![line("error_u", 0.1, 0.2, ChangeKind::Worse), bare]);
     ledger.write(&path).expect("written");
     let error = Ledger::read(&path).expect_err("refused").to_string();
     assert!(

@@ -18,7 +18,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// How long a rank looks for a message without a rest, where each rank of its machine has a processor.
+/// Time for which a rank looks for a message without a rest, where each rank of its machine has a processor.
 const EAGER: Duration = Duration::from_micros(200);
 /// Rest between two looks after that: as short as the system lets it be, about fifty microseconds. The processor is then free for a
 /// rank or program that works.
@@ -112,7 +112,7 @@ fn eager(world: &SimpleCommunicator) -> Duration {
 struct World {
     rank: usize,
     count: usize,
-    /// How long it looks for a message without a rest.
+    /// Time for which it looks for a message without a rest.
     eager: Duration,
     /// Time in messages so far.
     message_nanoseconds: AtomicU64,
@@ -221,7 +221,9 @@ impl Ranks for World {
                 for rank in others() {
                     received[rank] = self.receive(&process(rank));
                 }
-                sent.into_iter().for_each(|sent| self.finish(sent));
+                for sent in sent {
+                    self.finish(sent);
+                }
             });
             received
         })
@@ -244,7 +246,9 @@ impl Ranks for World {
                         *words = self.receive(&process(rank));
                     }
                 }
-                sent.into_iter().for_each(|sent| self.finish(sent));
+                for sent in sent {
+                    self.finish(sent);
+                }
             });
             received
         })
