@@ -147,6 +147,23 @@ pub(super) fn take_up(set: &mut ParticleSet, parts: &[PackedParticles<'_>]) -> V
     .collect()
 }
 
+/// Puts the packed particles of a set that ranks sent, in their order, in its place, with the rows of particles or without.
+pub(super) fn take_up_received(
+    set: &mut ParticleSet,
+    received: &mut [Words<'_>],
+    keeps_rows: bool,
+    shape: &GridShape,
+) {
+    let columns = set.columns.len();
+    let parts = received.iter_mut();
+    let parts: Vec<_> = parts
+        .map(|words| PackedParticles::read(words, columns))
+        .collect();
+    let rows = take_up(set, &parts);
+    let rows = rows.iter().map(|one| (one.row, one.count));
+    set.set_rows(rows, keeps_rows, shape);
+}
+
 /// Appends packed particles to a set.
 pub(super) fn append(set: &mut ParticleSet, words: &mut Words<'_>) {
     let part = PackedParticles::read(words, set.columns.len());

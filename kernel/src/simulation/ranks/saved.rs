@@ -1,7 +1,7 @@
 //! The state of a shared simulation, by the part that each rank has of it.
 
 use super::cut::{Cut, ParticleCounts};
-use super::packed::{PackedParticles, pack, take_up};
+use super::packed::{pack, take_up_received};
 use crate::particles::ParticleSet;
 use crate::ranks::Words;
 use crate::simulation::Cycle;
@@ -49,13 +49,7 @@ impl Cycle {
         let mut words = vec![];
         for set in &mut *sets {
             *set = set.without_particles();
-            let columns = set.columns.len();
-            let parts = received.iter_mut();
-            let parts: Vec<_> = parts
-                .map(|words| PackedParticles::read(words, columns))
-                .collect();
-            let rows = take_up(set, &parts);
-            set.set_rows(rows.iter().map(|one| (one.row, one.count)), false, shape);
+            take_up_received(set, &mut received, false, shape);
             let layers = planes.start..planes.end.min(set.layers.len() - 1);
             words.extend([set.len(), layers.len()].map(|count| count as u64));
             words.extend(set.layers[layers].iter().map(|start| *start as u64));

@@ -1,6 +1,6 @@
 //! The whole of a shared simulation on the first rank, for files and measures.
 
-use super::packed::{PackedParticles, pack, take_up};
+use super::packed::{pack, take_up_received};
 use super::{Share, exchange};
 use crate::grid::{ActiveRows, NodeBlock};
 use crate::particles::ParticleSet;
@@ -85,14 +85,7 @@ impl Cycle {
         let rows = rows.collect();
         let mut received: Vec<Words<'_>> = received.iter().map(|words| Words::of(words)).collect();
         for set in &mut self.state.sets {
-            let columns = set.columns.len();
-            let parts = received.iter_mut();
-            let parts: Vec<_> = parts
-                .map(|words| PackedParticles::read(words, columns))
-                .collect();
-            let rows = take_up(set, &parts);
-            let rows = rows.iter().map(|one| (one.row, one.count));
-            set.set_rows(rows, keeps_rows, &grid.shape);
+            take_up_received(set, &mut received, keeps_rows, &grid.shape);
         }
         for (rank, words) in received.iter_mut().enumerate() {
             for field in &mut grid.fields {
