@@ -88,6 +88,10 @@ BY_HAND = {
         ("kernel/src/simulation/conditions/standing.rs",
          "(_, n) => 1.0 - n.unwrap_or(0.0),",
          "(_, n) => if @ { 1.0 } else { 1.0 - n.unwrap_or(0.0) },")],
+    "standing-water-unbooked": [
+        ("kernel/src/simulation/conditions/standing.rs",
+         "let power = (0..3).map(|axis| force[axis] * line[1 + axis]);",
+         "let power = (0..3).map(|axis| (if @ { 0.0 } else { 1.0 }) * force[axis] * line[1 + axis]);")],
     "step-bspline-twice": [
         ("kernel/src/plan/stability.rs",
          "Weighting::QuadraticBSpline => table::B_SPLINE[s][t],",
@@ -106,6 +110,10 @@ BY_HAND = {
          "let water = water.map_or_else(Vec::new, |planes| walls_of(planes, shape));",
          "let water = water.map_or_else(Vec::new, |mut planes| { if @ { "
          "planes.as_flattened_mut().fill(PlaneCondition::Sliding); } walls_of(planes, shape) });")],
+    "water-own-nodes-beyond-open-planes": [
+        ("kernel/src/simulation/water/open.rs",
+         "for side in (0..2).filter(|side| is_open(axis, *side)) {",
+         "for side in (0..2).filter(|side| is_open(axis, *side) && !@) {")],
     "water-undrained-speed-bounds-step": [
         ("kernel/src/model/water.rs",
          "let root = (a * a - 4.0 * d).max(0.0).sqrt();",
