@@ -10,4 +10,5 @@ mod figures;
 mod judge;
 mod record;
 mod report;
+mod show;
 mod statistics;

@@ -138,8 +138,9 @@ fn table(variant: &[RanRung]) -> Table {
     table
 }
 
-/// A name in two lines of about the same length, broken at a blank.
-fn in_two(name: &str) -> (&str, &str) {
+/// A name in two lines of about the same length, broken at a blank; a short one has no first line.
+#[must_use]
+pub fn in_two(name: &str) -> (&str, &str) {
     let middle = name.len() / 2;
     let blanks = name.match_indices(' ').map(|(at, _)| at);
     match blanks.min_by_key(|at| at.abs_diff(middle)) {
@@ -160,15 +161,4 @@ fn gate_line(gate: &Gate) -> String {
         number(gate.value),
         number(gate.bound)
     )
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn long_names_break_near_their_middle() {
-        assert_eq!(in_two("u_z at (.5,.5,.5)"), ("u_z at", "(.5,.5,.5)"));
-        assert_eq!(in_two("v(H, t)"), ("", "v(H, t)"));
-    }
 }

@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 use std::io::{self, Write};
 
 /// Characters of a case's name in the table on a terminal; the reasons below it name the case in full.
-const NAME: usize = 29;
+pub const NAME: usize = 29;
 /// Columns of a terminal from which on the chance and the tolerance of a time are shown.
 const WIDE: usize = 100;
 /// Places of these two among the cells.
@@ -117,7 +117,8 @@ pub fn markdown(comparison: &Comparison, base: &Record, head: &Record) -> String
 
 /// The name of a row without what all rows of studies have in common. Of another solver both its name and the case can then be
 /// read: `precision/step-bar/peer/solver/h=1e-1` is `step-bar solver h=1e-1`.
-fn short_name(case: &CaseKey) -> String {
+#[must_use]
+pub fn short_name(case: &CaseKey) -> String {
     let name = case.to_string();
     match name.strip_prefix("precision/") {
         Some(rest) => rest.replace("/peer/", " ").replace("/h=", " h="),
@@ -168,7 +169,8 @@ fn cells(finding: &Finding) -> [String; 8] {
 }
 
 /// A ratio of errors or counts.
-fn factor(ratio: f64) -> String {
+#[must_use]
+pub fn factor(ratio: f64) -> String {
     match ratio {
         _ if ratio == 1.0 => "=".to_owned(),
         _ if (0.1..100.0).contains(&ratio) => format!("x{ratio:.3}"),
@@ -176,7 +178,9 @@ fn factor(ratio: f64) -> String {
     }
 }
 
-fn chance(p: f64) -> String {
+/// A chance (0 to 1) with three decimals and no zero before them.
+#[must_use]
+pub fn chance(p: f64) -> String {
     if p < 0.001 {
         "<.001".to_owned()
     } else {
@@ -341,7 +345,8 @@ fn side(name: &str, record: &Record) -> String {
 }
 
 /// Text inside a Markdown table or list.
-pub(crate) fn escaped(text: &str) -> String {
+#[must_use]
+pub fn escaped(text: &str) -> String {
     let mut escaped = String::new();
     for c in text.chars() {
         match c {
@@ -355,41 +360,4 @@ pub(crate) fn escaped(text: &str) -> String {
         }
     }
     escaped
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn chances_and_factors_are_short() {
-        assert_eq!(chance(0.00001), "<.001");
-        assert_eq!(chance(0.25), ".250");
-        assert_eq!(chance(1.0), "1.000");
-        assert_eq!(factor(1.0), "=");
-        assert_eq!(factor(1.02), "x1.020");
-        assert_eq!(factor(1e-7), "x1.0e-7");
-    }
-
-    #[test]
-    fn solver_and_case_can_be_read() {
-        let key = |name: &str| CaseKey {
-            name: name.to_owned(),
-            aggregate: None,
-        };
-        for (name, short) in [
-            (
-                "precision/step-bar/peer/tiny/h=1.2500e-1",
-                "step-bar tiny h=1.2500e-1",
-            ),
-            ("bar/h=1", "bar/h=1"),
-        ] {
-            assert_eq!(shortened(&short_name(&key(name)), NAME), short);
-        }
-    }
-
-    #[test]
-    fn markdown_signs_in_names_are_escaped() {
-        assert_eq!(escaped("a|b_c\n"), "a\\|b\\_c ");
-    }
 }

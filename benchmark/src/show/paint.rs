@@ -38,7 +38,8 @@ impl Mark {
 /// Choice of colour for printed text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Paint {
-    colour: bool,
+    /// True for colour.
+    pub colour: bool,
 }
 
 impl Paint {
@@ -69,27 +70,5 @@ impl Paint {
     #[must_use]
     pub fn symbol(self, mark: Mark) -> String {
         self.text(mark, mark.symbol())
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_colour_has_a_symbol_of_its_own() {
-        let marks = [Mark::Held, Mark::Failed, Mark::Attention];
-        for (i, mark) in marks.iter().enumerate() {
-            assert_eq!(mark.symbol().chars().count(), 1);
-            assert!(
-                marks[..i]
-                    .iter()
-                    .all(|other| other.symbol() != mark.symbol())
-            );
-            assert_eq!(Paint::NONE.symbol(*mark), mark.symbol());
-            let coloured = Paint { colour: true }.symbol(*mark);
-            assert!(coloured.starts_with('\u{1b}') && coloured.contains(mark.symbol()));
-            assert!(coloured.ends_with("\u{1b}[0m"), "{coloured:?}");
-        }
     }
 }

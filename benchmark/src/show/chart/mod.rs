@@ -9,7 +9,7 @@ mod draw;
 mod legend;
 mod several;
 mod style;
-mod text;
+pub mod text;
 
 pub use axis::{Axis, AxisRange, Format, Scale, Tick};
 pub use several::side_by_side;

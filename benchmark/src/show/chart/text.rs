@@ -3,12 +3,12 @@
 use std::borrow::Cow;
 
 /// Text as it stands in an element or an attribute.
-pub fn escaped(text: &str) -> Cow<'_, str> {
+pub(super) fn escaped(text: &str) -> Cow<'_, str> {
     quick_xml::escape::escape(text)
 }
 
 /// Width of a text in a sans-serif of that size, estimated on the safe side.
-pub fn width(text: &str, size: f64) -> f64 {
+pub(super) fn width(text: &str, size: f64) -> f64 {
     let of = |c: char| match c {
         'i' | 'j' | 'l' | 't' | 'f' | '.' | ',' | ':' | ';' | '|' | '\'' | ' ' | '⁻' | '('
         | ')' => 0.34,
@@ -19,7 +19,9 @@ pub fn width(text: &str, size: f64) -> f64 {
     size * text.chars().map(of).sum::<f64>()
 }
 
-/// Breaks a text at blanks into lines no wider than `most`; a word that is wider stands alone.
+/// Breaks a text in letters of that size at blanks into lines no wider than `most`, both in pixels; a word that is wider stands
+/// alone.
+#[must_use]
 pub fn lines(text: &str, size: f64, most: f64) -> Vec<String> {
     let mut lines: Vec<String> = vec![];
     for word in text.split_whitespace() {
@@ -35,6 +37,7 @@ pub fn lines(text: &str, size: f64, most: f64) -> Vec<String> {
 }
 
 /// A whole number as exponent.
+#[must_use]
 pub fn superscript(n: i32) -> String {
     n.to_string()
         .chars()
@@ -46,16 +49,4 @@ pub fn superscript(n: i32) -> String {
             c => char::from_u32('⁰' as u32 + c.to_digit(10).unwrap_or(0)).unwrap_or(c),
         })
         .collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn exponents_and_breaks() {
-        assert_eq!(superscript(-304), "⁻³⁰⁴");
-        assert_eq!(lines("one two three", 10.0, 50.0), ["one two", "three"]);
-        assert_eq!(lines("unbreakable", 10.0, 5.0), ["unbreakable"]);
-    }
 }

@@ -6,7 +6,7 @@ use std::io::Cursor;
 use std::sync::OnceLock;
 
 /// The letters in the order of the image, behind those of ASCII from the blank on.
-const MORE: &str = "°²³·µ×–−…⁰¹⁴⁵⁶⁷⁸⁹⁻";
+pub const MORE: &str = "°²³·µ×–−…⁰¹⁴⁵⁶⁷⁸⁹⁻";
 /// Letters of ASCII.
 const ASCII: usize = 95;
 /// Side of a cell, cells in a row, rows of a size.
@@ -100,35 +100,4 @@ fn image() -> &'static [u8] {
         }
         values
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_letter_has_ink_of_its_width() {
-        let letters: String = (33..127)
-            .map(|c: u8| char::from(c))
-            .chain(MORE.chars())
-            .collect();
-        for size in [TextSize::Plain, TextSize::Title] {
-            for letter in letters.chars() {
-                let text = letter.to_string();
-                let (mut most, mut ink) = (i64::MIN, 0_u64);
-                each_pixel(&text, size, [0.0, 0.0], |[x, _], value| {
-                    most = most.max(x);
-                    ink += u64::from(value);
-                });
-                assert!(ink > 100, "{letter}");
-                assert!(most as f64 <= width(&text, size) + 1.0, "{letter} {most}");
-            }
-        }
-    }
-
-    #[test]
-    fn a_letter_that_is_not_there_is_a_question_mark() {
-        assert_eq!(place('語'), place('?'));
-        assert_eq!(width("", TextSize::Plain), 0.0);
-    }
 }

@@ -3,7 +3,7 @@
 //! Both forms come from one list of items, so that they show the same. The image holds particles, which are too many for one element
 //! each.
 
-mod letters;
+pub mod letters;
 mod pixels;
 mod svg;
 

@@ -6,7 +6,7 @@ pub mod history;
 mod precision;
 pub mod refine;
 pub mod runs;
-mod slopes;
+pub mod slopes;
 
 pub use arena::{arena, arena_charts, arena_legend};
 pub use beside::cases_beside;

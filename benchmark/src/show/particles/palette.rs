@@ -39,20 +39,3 @@ pub fn colour(value: f64, [low, high]: [f64; 2]) -> Rgb {
         (from + part * (to - from)).round() as u8
     })
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn lighter_from_step_to_step() {
-        let light =
-            |[r, g, b]: Rgb| 0.2126 * f64::from(r) + 0.7152 * f64::from(g) + 0.0722 * f64::from(b);
-        assert!(STEPS.windows(2).all(|pair| light(pair[0]) < light(pair[1])));
-        assert_eq!(colour(-9.0, [0.0, 1.0]), STEPS[0]);
-        assert_eq!(colour(1.0, [0.0, 1.0]), STEPS[10]);
-        assert_eq!(colour(0.1, [0.0, 1.0]), STEPS[1]);
-        assert_eq!(colour(3.0, [3.0, 3.0]), STEPS[5]);
-        assert_eq!(colour(f64::NAN, [0.0, 1.0]), NONE);
-    }
-}

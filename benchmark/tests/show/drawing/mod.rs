@@ -1,0 +1,4 @@
+//! Drawings of lines, text and pixels.
+
+mod letters;
+mod pixels;
