@@ -49,23 +49,24 @@ fn found_and_bound(gate: &GateDetail, unit: Unit) -> [String; 2] {
     ]
 }
 
-/// A value of a gate of that name of a case.
+/// A value of a gate of a case, in the unit of the name of the gate: a relative one, as most are, in per cent.
+#[must_use]
 pub fn value_of_case(name: &str, value: f64) -> String {
     Unit::of_case(name).written(value)
 }
 
 /// Value that a gate of a case found, and its bound.
-pub fn of_case(gate: &GateDetail) -> [String; 2] {
+pub(crate) fn of_case(gate: &GateDetail) -> [String; 2] {
     found_and_bound(gate, Unit::of_case(&gate.name))
 }
 
 /// Value that a gate found of which nothing is relative, and its bound.
-pub fn plain(gate: &GateDetail) -> [String; 2] {
+pub(crate) fn plain(gate: &GateDetail) -> [String; 2] {
     found_and_bound(gate, Unit::Plain)
 }
 
 /// Gates with their reasons; `written` says what was found and the bound.
-pub fn table(
+pub(crate) fn table(
     caption: &str,
     gates: &[GateDetail],
     written: fn(&GateDetail) -> [String; 2],
@@ -96,7 +97,7 @@ pub fn table(
 }
 
 /// The look of a gate: passed, near to its bound, or failed.
-pub fn class(gate: &GateDetail) -> &'static str {
+pub(crate) fn class(gate: &GateDetail) -> &'static str {
     match (gate.passed, gate.is_near()) {
         (true, true) => "passed near",
         (true, false) => "passed",
@@ -105,6 +106,7 @@ pub fn class(gate: &GateDetail) -> &'static str {
 }
 
 /// The name of a gate without what it says twice: the variant before its colon may stand behind it again.
+#[must_use]
 pub fn short_name(name: &str) -> String {
     let Some((variant, rest)) = name.split_once(": ") else {
         return name.to_owned();
@@ -121,14 +123,14 @@ pub fn short_name(name: &str) -> String {
 }
 
 /// The share of its bound that a gate uses up, as a bar.
-pub fn used(gate: &GateDetail) -> Cell {
+pub(crate) fn used(gate: &GateDetail) -> Cell {
     let used = gate.used();
     Cell::with_share(summary::share(used), used.min(1.0))
 }
 
 /// The gates of a record with the case that each belongs to, the nearest to its bound first; what does not hold comes
 /// before all else.
-pub fn ranked(record: &Record) -> Vec<(&str, &GateDetail)> {
+pub(crate) fn ranked(record: &Record) -> Vec<(&str, &GateDetail)> {
     let mut gates: Vec<(&str, &GateDetail)> = vec![];
     for case in &record.details.cases {
         gates.extend(case.gates.iter().map(|gate| (case.name.as_str(), gate)));
@@ -138,7 +140,7 @@ pub fn ranked(record: &Record) -> Vec<(&str, &GateDetail)> {
 }
 
 /// The gates of cases that are nearest to their bounds.
-pub fn nearest(record: &Record) -> Option<Table> {
+pub(crate) fn nearest(record: &Record) -> Option<Table> {
     let ranked = ranked(record);
     let head = ["case and gate", "of its bound", "found, bound"];
     let caption = "Share of its bound that each uses up, the largest first; failed gates come before all others";
@@ -152,44 +154,4 @@ pub fn nearest(record: &Record) -> Option<Table> {
         table.push_as(class(gate), cells);
     }
     (!table.is_empty()).then_some(table)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_name_says_nothing_twice() {
-        for (name, short) in [
-            (
-                "shear, Hughes-Winget 3D: error of difference of stress over G, shear, Hughes-Winget 3D, steps=250",
-                "shear, Hughes-Winget 3D: error of difference of stress over G, steps=250",
-            ),
-            (
-                "node: observed order of L2(u)",
-                "node: observed order of L2(u)",
-            ),
-            ("usl: error, usla", "usl: error, usla"),
-            ("error, error", "error, error"),
-        ] {
-            assert_eq!(short_name(name), short);
-        }
-    }
-
-    #[test]
-    fn numbers_of_a_gate_are_in_per_cent_unless_its_name_says_otherwise() {
-        for (name, value, written) in [
-            ("error of L2(u), H/h=64", 0.0125, "1.25 %"),
-            ("sum of momenta over that of one ring", 2e-17, "2.0e-15 %"),
-            ("node: observed order of L2(u)", 1.96, "1.96"),
-            (
-                "increase by friction of the force at 60 s, less 5.4 N",
-                0.5,
-                "0.5 N",
-            ),
-            ("largest number of vertices inside another grain", 0.0, "0"),
-        ] {
-            assert_eq!(Unit::of_case(name).written(value), written, "{name}");
-        }
-    }
 }

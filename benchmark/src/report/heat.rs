@@ -10,7 +10,7 @@ const SHADES: [f64; 3] = [TIE, 2.0, 4.0];
 
 /// The map, of the first error of each case that some method brings to 1 %.
 #[must_use]
-pub fn map(all: &[&Costs]) -> Option<String> {
+pub(super) fn map(all: &[&Costs]) -> Option<String> {
     let mut methods: Vec<&str> = vec![];
     for line in all.iter().flat_map(|costs| &costs.lines) {
         if !methods.contains(&line.method.as_str()) {
@@ -68,31 +68,14 @@ pub fn map(all: &[&Costs]) -> Option<String> {
     Some(html)
 }
 
-/// Milliseconds in two or three digits.
-fn milliseconds(seconds: f64) -> String {
+/// A time, given in seconds, as milliseconds in two or three digits.
+#[must_use]
+pub fn milliseconds(seconds: f64) -> String {
     let ms = 1e3 * seconds;
     match ms {
         _ if ms < 1.0 => format!("{ms:.2}").trim_start_matches('0').to_owned(),
         _ if ms < 10.0 => format!("{ms:.1}"),
         _ if ms < 1e4 => format!("{ms:.0}"),
         _ => format!("{:.0}k", 1e-3 * ms),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn milliseconds_are_short() {
-        for (seconds, text) in [
-            (3.61e-4, ".36"),
-            (1.24e-3, "1.2"),
-            (0.095, "95"),
-            (0.7509, "751"),
-            (12.3, "12k"),
-        ] {
-            assert_eq!(milliseconds(seconds), text);
-        }
     }
 }

@@ -63,7 +63,7 @@ fn prose(text: &str) -> String {
 
 /// A part of the page that can be linked to.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Section {
+pub(crate) struct Section {
     /// Anchor, one word.
     pub id: &'static str,
     /// Heading.
@@ -90,7 +90,7 @@ impl Cell {
     }
 
     /// Text with a bar behind it, so long a share of the cell.
-    pub fn with_share(text: impl Into<String>, share: f64) -> Self {
+    pub(crate) fn with_share(text: impl Into<String>, share: f64) -> Self {
         Self {
             share: share.is_finite().then_some(share.clamp(0.0, 1.0)),
             ..text.into().into()
@@ -148,7 +148,7 @@ impl Table {
     }
 
     /// True if it has no rows.
-    pub fn is_empty(&self) -> bool {
+    pub(crate) fn is_empty(&self) -> bool {
         self.rows.is_empty()
     }
 
@@ -238,7 +238,7 @@ fn is_number(cell: &str) -> bool {
 
 /// Content behind a line that unfolds it.
 #[must_use]
-pub fn folded(summary: &str, body: &str) -> String {
+pub(crate) fn folded(summary: &str, body: &str) -> String {
     format!(
         "<details><summary>{}</summary>\n{body}</details>\n",
         escape(summary)
@@ -247,7 +247,7 @@ pub fn folded(summary: &str, body: &str) -> String {
 
 /// The pictures of a page, each with a title of its own.
 #[derive(Debug, Default)]
-pub struct Pictures {
+pub(crate) struct Pictures {
     titles: BTreeSet<String>,
 }
 
@@ -315,62 +315,10 @@ fn figure(chart: &Chart, caption: &str, more: &str) -> String {
 
 /// Pictures side by side where the page is wide enough, without the numbers behind them, which a file beside the page has.
 #[must_use]
-pub fn drawn(charts: &[Chart]) -> String {
+pub(crate) fn drawn(charts: &[Chart]) -> String {
     let inner: String = charts
         .iter()
         .map(|chart| figure(chart, &chart.description, ""))
         .collect();
     format!("<div class=\"pair\">\n{inner}</div>\n")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn text_cannot_become_markup() {
-        assert_eq!(
-            escape("<script>\"a\" & 'b'</script>"),
-            "&lt;script&gt;&quot;a&quot; &amp; &#39;b&#39;&lt;/script&gt;"
-        );
-        let mut table = Table::new("<b>", &["<em>"]);
-        table.push_as("failed", ["<u>", "-1.5"]);
-        table.push([Cell::linked("<s>", "<q>")]);
-        let html = table.html();
-        for tag in ["<b>", "<em>", "<u>", "<s>", "<q>"] {
-            assert!(!html.contains(tag), "{html}");
-        }
-        assert!(html.contains("<td class=\"number\" data-label=\"\">-1.5</td>"));
-    }
-
-    #[test]
-    fn a_number_is_not_parted_from_its_exponent() {
-        let whole = |word: &str| format!("<span class=\"whole\">{word}</span>");
-        assert_eq!(
-            paragraph("below 1.5e-9 of it, (2e-3), at 3 % a one-way e-bike `1e-9`"),
-            format!(
-                "<p>below {} of it, {} at 3\u{a0}% a one-way e-bike <code>1e-9</code></p>\n",
-                whole("1.5e-9"),
-                whole("(2e-3),"),
-            )
-        );
-    }
-
-    #[test]
-    fn what_begins_with_a_number_is_aligned_as_one() {
-        for cell in ["3", "-1.5", "6 of 6", "1.2e-9 %", "2.7×", "+50.0 %"] {
-            assert!(is_number(cell), "{cell}");
-        }
-        for cell in [
-            "3D",
-            "2D, plane strain",
-            "",
-            "-",
-            "e",
-            "at most 2",
-            "1 of kinks, less 0.1",
-        ] {
-            assert!(!is_number(cell), "{cell}");
-        }
-    }
 }

@@ -5,14 +5,15 @@
 //! stability, speed, what changed. An index of the cases and each case, folded, follow.
 
 mod arena;
+pub mod before;
 mod cases;
 mod cheapest;
-pub(crate) mod gates;
+pub mod gates;
 mod glance;
 mod guests;
-mod heat;
+pub mod heat;
 mod history;
-mod html;
+pub mod html;
 mod machine;
 mod mill;
 mod packed;

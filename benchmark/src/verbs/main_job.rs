@@ -1,7 +1,5 @@
 //! `proctor` without a verb: the main job on the built-in set.
 
-mod before;
-
 use super::Amount;
 use super::stability::done as solve_stability;
 use crate::bench::Session;
@@ -16,6 +14,7 @@ use crate::progress::{self, Whole, ladders};
 use crate::record::{BY_SCENE, Record};
 use crate::refine::judge::SceneBars;
 use crate::refine::kept::OF_MAIN_JOB;
+use crate::report::before::Before;
 use crate::report::{self, Since};
 use crate::say::say;
 use crate::show::paint::Paint;
@@ -25,7 +24,6 @@ use crate::show::{case as full, precision as show_study, short, stability as sho
 use crate::side_by_side::{processors, side_by_side};
 use crate::stability::{JobResult, MapRequest, jobs};
 use crate::suite::{self, Against, CaseRun};
-use before::Before;
 use proctor_files::output::atomic;
 use proctor_kernel::lanes::LaneChoice;
 use proctor_scene::plan::PlanOptions;
