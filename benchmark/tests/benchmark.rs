@@ -7,6 +7,7 @@ mod command;
 mod documents;
 mod export;
 mod figures;
+mod history;
 mod judge;
 mod record;
 mod report;

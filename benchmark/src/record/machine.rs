@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 const PROCESSORS: &str = "/sys/devices/system/cpu";
 
 /// Adds what is known of the machine to a context, under the keys of Google Benchmark where it has one.
-pub fn describe(context: &mut Value) {
+pub(super) fn describe(context: &mut Value) {
     let Some(context) = context.as_object_mut() else {
         return;
     };
@@ -94,8 +94,9 @@ fn caches() -> Option<Value> {
     (!caches.is_empty()).then(|| caches.into())
 }
 
-/// Bytes of a size such as `32K`.
-fn size(text: &str) -> Option<u64> {
+/// Bytes of a size such as `32K`; none where it is no such size.
+#[must_use]
+pub fn size(text: &str) -> Option<u64> {
     let (number, unit) = match text.as_bytes().last()? {
         b'K' => (&text[..text.len() - 1], 1 << 10),
         b'M' => (&text[..text.len() - 1], 1 << 20),
@@ -105,7 +106,8 @@ fn size(text: &str) -> Option<u64> {
 }
 
 /// Number of processors that a list such as `0-3,8` names.
-fn listed(list: &str) -> u64 {
+#[must_use]
+pub fn listed(list: &str) -> u64 {
     list.split(',')
         .map(|part| match part.split_once('-') {
             Some((first, last)) => match (first.parse::<u64>(), last.parse::<u64>()) {
@@ -126,25 +128,4 @@ fn load() -> Option<Vec<f64>> {
 
 fn read(path: &Path) -> Option<String> {
     Some(fs::read_to_string(path).ok()?.trim().to_owned())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn sizes_are_in_bytes() {
-        assert_eq!(size("32K"), Some(32_768));
-        assert_eq!(size("8M"), Some(8 << 20));
-        assert_eq!(size("512"), Some(512));
-        assert_eq!(size("big"), None);
-        assert_eq!(size(""), None);
-    }
-
-    #[test]
-    fn a_list_of_processors_is_counted() {
-        assert_eq!(listed("0"), 1);
-        assert_eq!(listed("0-3"), 4);
-        assert_eq!(listed("0-3,8,10-11"), 7);
-    }
 }

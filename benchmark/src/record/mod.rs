@@ -11,7 +11,7 @@ pub mod export;
 pub mod gate;
 mod join;
 pub mod junit;
-mod machine;
+pub mod machine;
 mod meaning;
 pub mod otava;
 mod read;

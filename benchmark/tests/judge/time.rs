@@ -1,10 +1,11 @@
 //! Time: no false alarm, and real losses found.
 
 use crate::judge::synthetic::{Machine, compare, of, record, sample, steady};
-use proctor_benchmark::judge::time::Clock;
+use proctor_benchmark::judge::time::{Clock, LEAST, NEARLY_ALL};
 use proctor_benchmark::judge::{self, CaseVerdict, Comparison, Rules, Verdict, noise};
 use proctor_benchmark::measure::Spent;
 use proctor_benchmark::record::{Record, Row};
+use proctor_benchmark::statistics::signed_rank;
 use std::time::Duration;
 
 /// Share of cases with a verdict.
@@ -238,4 +239,11 @@ fn noise_that_hides_a_half_is_not_green() {
     let (verdict, reason) = of(&compare(&noisy(0), &noisy(3)), "a");
     assert_eq!(verdict, CaseVerdict::CannotCompare);
     assert!(reason.contains("hides every change below 50 %"), "{reason}");
+}
+
+#[test]
+fn the_least_pairs_follow_from_the_error_rate_of_the_rule() {
+    let least_chance = |pairs: usize| signed_rank(&vec![1.0; pairs]);
+    assert!(least_chance(LEAST) <= NEARLY_ALL);
+    assert!(least_chance(LEAST - 1) > NEARLY_ALL);
 }

@@ -2,6 +2,7 @@
 
 use proctor_benchmark::record::context;
 use proctor_scene::simulation::Options;
+use std::time::{Duration, UNIX_EPOCH};
 
 #[test]
 fn a_context_names_build_and_machine_but_no_host_and_no_user() {
@@ -40,4 +41,12 @@ fn caches_have_the_shape_of_google_benchmark() {
         }
     }
     assert_eq!(context["load_avg"].as_array().map(Vec::len), Some(3));
+}
+
+#[test]
+fn dates_are_those_of_the_calendar() {
+    let at = |seconds| context::date(UNIX_EPOCH + Duration::from_secs(seconds));
+    assert_eq!(at(0), "1970-01-01T00:00:00+00:00");
+    assert_eq!(at(951_782_400), "2000-02-29T00:00:00+00:00");
+    assert_eq!(at(1_735_689_599), "2024-12-31T23:59:59+00:00");
 }

@@ -1,10 +1,16 @@
 //! Records: what is written is what is read, and what is no record is refused with place and reason.
 
 mod context;
+mod details;
+mod done;
 mod foreign;
+mod gate;
+mod machine;
+mod meaning;
 mod refused;
 mod renamed;
 mod round_trip;
+mod row;
 
 use proctor_benchmark::record::{Record, RecordError};
 use tempfile::TempDir;
