@@ -3,13 +3,18 @@
 //! `cargo test --test benchmark judge::ledger` runs those of one file.
 
 mod bench;
+mod book;
 mod command;
 mod documents;
 mod export;
 mod figures;
 mod history;
 mod judge;
+mod precision;
 mod record;
+mod refine;
 mod report;
+mod runs;
 mod show;
+mod stability;
 mod statistics;

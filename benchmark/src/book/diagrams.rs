@@ -7,7 +7,7 @@ use crate::show::chart::{
 use std::fmt::Write as _;
 
 /// Half-lengths of particle domains in cells, with the names of their functions.
-const FUNCTIONS: [(f64, &str); 3] = [
+pub const FUNCTIONS: [(f64, &str); 3] = [
     (0.0, "linear hat, l = 0"),
     (0.25, "GIMP with two particles per cell, l = 1/4"),
     (0.5, "quadratic B-spline, l = 1/2"),
@@ -16,7 +16,7 @@ const FUNCTIONS: [(f64, &str); 3] = [
 const POINTS: i32 = 96;
 
 /// All drawings.
-pub fn all() -> Vec<BookFile> {
+pub(super) fn all() -> Vec<BookFile> {
     let file = |name: &str, text| BookFile {
         path: format!("pictures/{name}.svg"),
         text,
@@ -34,8 +34,9 @@ pub fn all() -> Vec<BookFile> {
     ]
 }
 
-/// The weight of a node at a distance of x cells for domains of half-length l: the hat, averaged over the domain.
-fn weight(x: f64, l: f64) -> f64 {
+/// The weight of a node at a distance of x cells for domains of half-length l \[cells\]: the hat, averaged over the domain.
+#[must_use]
+pub fn weight(x: f64, l: f64) -> f64 {
     let x = x.abs();
     if x < l {
         1.0 - (x * x + l * l) / (2.0 * l)
@@ -48,8 +49,9 @@ fn weight(x: f64, l: f64) -> f64 {
     }
 }
 
-/// The derivative of [`weight`] by x.
-fn gradient(x: f64, l: f64) -> f64 {
+/// The derivative of [`weight`] by x \[1/cell\].
+#[must_use]
+pub fn gradient(x: f64, l: f64) -> f64 {
     let (side, x) = (if x < 0.0 { -1.0 } else { 1.0 }, x.abs());
     side * if x < l {
         -x / l
@@ -173,25 +175,4 @@ fn step() -> String {
     }
     text.push_str("</svg>\n");
     text
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn weights_of_all_nodes_sum_to_one_and_their_gradients_to_nothing() {
-        for (l, name) in FUNCTIONS {
-            for k in 1..50 {
-                let x = 0.01 + f64::from(k) / 51.0;
-                let sum = |value: fn(f64, f64) -> f64| -> f64 {
-                    (-3..=3).map(|node| value(x - f64::from(node), l)).sum()
-                };
-                assert!((sum(weight) - 1.0).abs() < 1e-14, "{name} at {x}");
-                assert!(sum(gradient).abs() < 1e-13, "{name} at {x}");
-                let slope = (weight(x + 1e-6, l) - weight(x - 1e-6, l)) / 2e-6;
-                assert!((slope - gradient(x, l)).abs() < 1e-4, "{name} at {x}");
-            }
-        }
-    }
 }

@@ -4,7 +4,7 @@
 //! Pages are made of the cases' own values and of kept records, without a run. A test compares the files of the book with
 //! them.
 
-mod diagrams;
+pub mod diagrams;
 mod errors;
 mod keys;
 mod page;

@@ -20,6 +20,7 @@ pub struct Dense {
 
 impl Dense {
     /// History whose first row, at the start, is there.
+    #[must_use]
     pub fn new(interval: f64) -> Self {
         Self {
             interval,
@@ -29,11 +30,13 @@ impl Dense {
     }
 
     /// True where the values of a state at `time` \[s\] are wanted, behind a step of `dt` \[s\].
+    #[must_use]
     pub fn is_near(&self, time: f64, dt: f64) -> bool {
         self.next * self.interval <= time + AHEAD * dt
     }
 
     /// Rows of the multiples up to `time` \[s\], whose values these are.
+    #[must_use]
     pub fn rows(&mut self, time: f64, values: Vec<f64>) -> Vec<(f64, Vec<f64>)> {
         let mut rows = vec![];
         while self.next * self.interval <= time + ROUND_OFF * self.interval {
@@ -51,26 +54,5 @@ impl Dense {
         }
         self.before = Some((time, values));
         rows
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::Dense;
-
-    #[test]
-    fn rows_lie_between_the_states_around_them() {
-        let mut dense = Dense::new(0.5);
-        assert!(!dense.is_near(0.1, 0.1) && dense.is_near(0.3, 0.1));
-        assert!(dense.rows(0.4, vec![4.0, 1.0]).is_empty());
-        // A step over two multiples, of which the second is the state itself.
-        let rows = dense.rows(1.0, vec![10.0, 1.0]);
-        let expected = [(0.5, vec![5.0, 1.0]), (1.0, vec![10.0, 1.0])];
-        assert_eq!(rows.len(), 2);
-        for ((time, row), (at, values)) in rows.iter().zip(&expected) {
-            assert_eq!(time, at);
-            let off = row.iter().zip(values).map(|(a, b)| (a - b).abs());
-            assert!(off.fold(0.0, f64::max) < 1e-14, "{row:?}");
-        }
     }
 }

@@ -1,6 +1,6 @@
 //! Error bars of a user's scene: runs on several meshes, their quantities, and what is kept and shown of them.
 
-mod dense;
+pub mod dense;
 pub mod extent;
 pub mod judge;
 pub(crate) mod kept;

@@ -93,38 +93,3 @@ impl RunHistory {
         Some(values[before] + share * (values[after] - values[before]))
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_history_reads_back_without_half_a_row() {
-        let history = RunHistory::parse("time,step,a\n0,0,1\n2,1,\n4,2,3\n5,3,").expect("rows");
-        assert_eq!(history.times, [0.0, 2.0, 4.0]);
-        let a = history.column("a").expect("a column");
-        assert!(a[1].is_nan() && a[2] == 3.0);
-        let steps = history.column("step").expect("a column");
-        assert_eq!(history.at(steps, 1.0), Some(0.5));
-        assert_eq!(history.at(steps, 4.0), Some(2.0));
-        assert_eq!(history.at(steps, 4.5), None);
-        assert_eq!(history.at(steps, -1.0), None);
-    }
-
-    #[test]
-    fn what_is_no_history_is_told_with_its_line() {
-        for (text, line) in [
-            ("", 1),
-            ("step,time\n", 1),
-            ("time,a\n0,1\n1,x\n", 3),
-            ("time,a\n0,1\n0,1\n", 3),
-            ("time,a\n0\n", 2),
-        ] {
-            assert_eq!(
-                RunHistory::parse(text).map_err(|(at, _)| at),
-                Err(line),
-                "{text}"
-            );
-        }
-    }
-}

@@ -1,6 +1,7 @@
 //! The benchmark's parts: configuration, scenes, samples, frames of other solvers, comparison.
 
 mod calibration;
+mod children;
 mod config;
 mod counted;
 mod frames;

@@ -9,11 +9,11 @@ mod calibration;
 mod compare;
 mod finding;
 mod process;
-mod said;
+pub mod said;
 mod visit;
 mod watch;
 mod words;
-mod written;
+pub mod written;
 
 pub use calibration::{Calibration, Fault, judge, scene as free_fall};
 pub use compare::{difference, error, same_time};

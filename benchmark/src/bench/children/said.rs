@@ -49,9 +49,10 @@ impl Outputs {
     }
 }
 
-/// A reason for a failure with the last that the process said on either output; where one of them speaks of an error, that one
-/// alone.
-pub(super) fn with_words(reason: &str, out: &Path) -> String {
+/// A reason for a failure with the last that the process said on either output, of the files in the folder `out` of its results;
+/// where one of them speaks of an error, that one alone.
+#[must_use]
+pub fn with_words(reason: &str, out: &Path) -> String {
     let said = OUTPUTS.map(|(name, words)| (words, last_lines(&out.join(name))));
     let of_errors = said.iter().any(|(_, said)| said.of_errors);
     let mut text = reason.to_owned();
@@ -129,41 +130,4 @@ fn plain(line: &str) -> String {
         }
     }
     text
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn colours_are_left_out_and_errors_come_before_the_last_lines() {
-        assert_eq!(
-            plain("\u{1b}[1;31merror\u{1b}[0m: no\u{7} cell"),
-            "error: no cell"
-        );
-        let folder = tempfile::TempDir::new().expect("a folder");
-        let path = folder.path().join("said.txt");
-        let mut text = String::from("Error: the mesh is empty\n");
-        text.extend((0..20).map(|i| format!("cleaning up {i}\n")));
-        std::fs::write(&path, &text).expect("written");
-        assert_eq!(last_lines(&path).lines, ["Error: the mesh is empty"]);
-        std::fs::write(&path, text.replace("Error", "Note")).expect("written");
-        assert_eq!(last_lines(&path).lines.len(), LINES);
-        // The rest of the output has nothing to do with the error.
-        let [errors, output] = OUTPUTS.map(|(name, _)| folder.path().join(name));
-        std::fs::write(&output, "Devices: one\n").expect("written");
-        let told = |text: &str| {
-            std::fs::write(&errors, text).expect("written");
-            with_words("it failed", folder.path())
-        };
-        let error = "error: no contact";
-        assert_eq!(
-            told(error),
-            format!("it failed; on standard error: {error}")
-        );
-        assert_eq!(
-            told("done"),
-            "it failed; on standard error: done; on standard output: Devices: one"
-        );
-    }
 }

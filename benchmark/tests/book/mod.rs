@@ -1,0 +1,3 @@
+//! The book that is written from records and keys.
+
+mod diagrams;

@@ -1,0 +1,4 @@
+//! Studies of error over time.
+
+mod bounds;
+mod cost;

@@ -1,0 +1,4 @@
+//! Folders of runs, read back.
+
+mod compare;
+mod history;

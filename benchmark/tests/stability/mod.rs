@@ -1,0 +1,3 @@
+//! Stability: the stiff and extreme scenes.
+
+mod extreme;
