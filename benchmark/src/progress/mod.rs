@@ -1,6 +1,6 @@
 //! A line of progress on a terminal, and nothing in a pipe.
 
-mod estimate;
+pub mod estimate;
 pub mod ladders;
 
 use indicatif::{MultiProgress, ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -21,17 +21,17 @@ static BARS: LazyLock<MultiProgress> = LazyLock::new(|| {
 });
 
 /// Shows no line any more.
-pub fn hide() {
+pub(crate) fn hide() {
     BARS.set_draw_target(ProgressDrawTarget::hidden());
 }
 
 /// Writes something that stays, above all lines: they are taken away first and come back with the next step.
-pub fn above<T>(write: impl FnOnce() -> T) -> T {
+pub(crate) fn above<T>(write: impl FnOnce() -> T) -> T {
     BARS.suspend(write)
 }
 
 /// Progress of some work, and the time of the rest, shown on standard error.
-pub struct Progress {
+pub(crate) struct Progress {
     bar: ProgressBar,
     begun: Instant,
     /// Time of all of it \[s\], if it is known.
@@ -90,7 +90,7 @@ impl Drop for Progress {
 }
 
 /// Work of several parts, which may run side by side, as one line.
-pub struct Whole {
+pub(crate) struct Whole {
     /// Expected time of each part \[s\].
     weights: Vec<f64>,
     state: Mutex<State>,

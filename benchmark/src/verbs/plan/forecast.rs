@@ -1,10 +1,11 @@
 //! Forecast of a run from a few steps of the scene itself: steps, time, memory, output.
 
+use crate::forecast::{RunCost, RunCounts};
 use crate::measure::{Spent, Stopwatch};
 use crate::show::{bytes, grouped, number, seconds};
 use crate::verbs::run::{bound_words, row};
 use proctor_files::json::SourceMap;
-use proctor_files::run::{HistoryRows, OutputForecast, STEPS_PER_LOOK, StepForecast, next_stop};
+use proctor_files::run::{HistoryRows, OutputForecast, StepForecast, next_stop};
 use proctor_kernel::memory::words;
 use proctor_scene::Scene;
 use proctor_scene::simulation::{Bound, Simulation, StepInfo, estimate_memory};
@@ -138,39 +139,6 @@ fn typical(infos: &[(StepInfo, f64)]) -> Option<(StepInfo, Bound)> {
     Some((longest, bound.unwrap_or(longest.bound)))
 }
 
-/// Time of the parts of a run \[s\], each as it was found on this machine.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct RunCost {
-    /// The bodies filled with particles.
-    set_up: f64,
-    /// A step.
-    step: f64,
-    /// A row of the history: the balance of energy maps the particles once more, and goes over them.
-    row: f64,
-    /// A frame and a checkpoint, in memory.
-    output: f64,
-}
-
-/// Numbers of the parts of a run.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct RunCounts {
-    steps: u64,
-    /// Rows of the history.
-    rows: u64,
-    /// Frames, each with a checkpoint.
-    outputs: u64,
-    /// Files that are written at the outputs: a frame, the list of the frames and a checkpoint each.
-    files: u64,
-    /// Bytes that are written.
-    bytes: u64,
-    /// True where forces in balance end the run.
-    has_end: bool,
-}
-
-/// Time in which a byte gets into a file \[s\]: a copy and a checksum.
-const PER_BYTE: f64 = 1e-9;
-/// Time in which a file is made, made safe on the disk and given its name \[s\]: 1 to 2 ms of the processor here.
-const PER_FILE: f64 = 1.5e-3;
 /// Rows that are timed.
 const ROWS: u32 = 3;
 
@@ -198,21 +166,6 @@ impl RunCost {
             row: own(stopwatch.spent, is_alone) / f64::from(ROWS),
             output,
         }
-    }
-
-    /// Time of a run with so many parts \[s\].
-    fn of(&self, counts: &RunCounts) -> f64 {
-        let looks = if counts.has_end {
-            counts.steps / STEPS_PER_LOOK
-        } else {
-            0
-        };
-        self.set_up
-            + self.step * (counts.steps + looks) as f64
-            + self.row * counts.rows as f64
-            + self.output * counts.outputs as f64
-            + PER_FILE * counts.files as f64
-            + PER_BYTE * counts.bytes as f64
     }
 }
 
@@ -251,43 +204,4 @@ fn words_of(output: &OutputForecast) -> String {
         parts.push(format!("checkpoint {}", bytes(output.checkpoint_bytes)));
     }
     format!("{}: {}", bytes(output.bytes()), parts.join(", "))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Each part counts as often as the run has it: doubling one count adds its own cost, and nothing else.
-    #[test]
-    fn the_time_of_a_run_is_the_sum_of_its_parts() {
-        let cost = RunCost {
-            set_up: 0.3,
-            step: 1e-3,
-            row: 2e-3,
-            output: 0.5,
-        };
-        let counts = RunCounts {
-            steps: 1000,
-            rows: 100,
-            outputs: 4,
-            files: 12,
-            bytes: 1_000_000_000,
-            has_end: false,
-        };
-        let near = |a: f64, b: f64| (a - b).abs() < 1e-12;
-        // Seconds of the set-up, the steps, the rows, the outputs, their files, the bytes.
-        assert!(near(cost.of(&counts), 0.3 + 1.0 + 0.2 + 2.0 + 0.018 + 1.0));
-        let twice = |change: fn(&mut RunCounts)| {
-            let mut other = counts;
-            change(&mut other);
-            cost.of(&other) - cost.of(&counts)
-        };
-        assert!(near(twice(|c| c.steps *= 2), 1.0));
-        assert!(near(twice(|c| c.rows *= 2), 0.2));
-        assert!(near(twice(|c| c.outputs *= 2), 2.0));
-        assert!(near(twice(|c| c.files *= 2), 0.018));
-        assert!(near(twice(|c| c.bytes *= 2), 1.0));
-        // A look at the balance of forces for every 50 steps.
-        assert!(near(twice(|c| c.has_end = true), 0.02));
-    }
 }

@@ -1,0 +1,4 @@
+//! Progress of work: expected and measured times.
+
+mod estimate;
+mod ladders;
