@@ -16,7 +16,7 @@ const BESIDE: usize = 44;
 /// Characters of the name of the headline error, at least and at most.
 const HEADLINE: [usize; 2] = [10, 36];
 /// Share of its bound up to which a gate is far from it.
-const FAR: f64 = 0.75;
+const FAR: f64 = 0.8;
 /// Cases that failed and are named in the verdict; all of them stand above it.
 const NAMED: usize = 6;
 
