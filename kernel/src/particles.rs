@@ -4,6 +4,7 @@ use crate::grid::{GridShape, NodeBlock};
 use crate::layout::Layout;
 use crate::team::Team;
 use smallvec::SmallVec;
+use std::cmp::Ordering;
 use std::ops::Range;
 
 /// The particles of one body.
@@ -90,10 +91,23 @@ impl ParticleSet {
     /// A set of `count` particles: internal variables as their law wants them, all other columns zero.
     #[must_use]
     pub fn zeros(layout: Layout, first_id: u64, count: usize) -> Self {
+        Self::of_columns(layout, first_id, count, vec![])
+    }
+
+    /// A set of `count` particles with the first columns given; of those that follow, internal variables are as their law wants
+    /// them, all others zero.
+    #[must_use]
+    pub fn of_columns(
+        layout: Layout,
+        first_id: u64,
+        count: usize,
+        mut columns: Vec<Vec<f64>>,
+    ) -> Self {
+        columns.resize(layout.columns, vec![0.0; count]);
         let mut set = Self {
             layout,
             id: (first_id..first_id + count as u64).collect(),
-            columns: vec![vec![0.0; count]; layout.columns],
+            columns,
             layers: vec![],
             rows: vec![],
         };
@@ -208,19 +222,20 @@ impl ParticleSet {
     /// were given.
     pub(crate) fn sort_by_position(&mut self, team: &Team) {
         let axes = self.layout.axes;
-        let mut order: Vec<u32> = (0..self.len() as u32).collect();
-        team.sort_by(&mut order, |&a, &b| {
-            (0..axes)
-                .map(|axis| {
-                    let x = &self.columns[Layout::POSITION + axis];
-                    x[a as usize].total_cmp(&x[b as usize])
-                })
-                .find(|o| o.is_ne())
-                .unwrap_or(std::cmp::Ordering::Equal)
-        });
-        if !order.is_sorted() {
-            self.permute(&order, team);
+        let x = &self.columns[Layout::POSITION..Layout::POSITION + axes];
+        // Coordinates compare by their bits: two are equal only if these are.
+        let compare = |a: usize, b: usize| {
+            let differ = (x.iter().map(|x| (x[a], x[b])))
+                .find(|(one, other)| one.to_bits() != other.to_bits());
+            differ.map_or(Ordering::Equal, |(one, other)| one.total_cmp(&other))
+        };
+        // Shapes are filled in this order.
+        if (1..self.len()).all(|p| compare(p - 1, p).is_le()) {
+            return;
         }
+        let mut order: Vec<u32> = (0..self.len() as u32).collect();
+        team.sort_by(&mut order, |&a, &b| compare(a as usize, b as usize));
+        self.permute(&order, team);
     }
 
     /// Reorders all columns: particle `order[i]` becomes particle `i`.

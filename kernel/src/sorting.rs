@@ -1,8 +1,9 @@
 //! Sorting of particles by base cell.
 //!
 //! A stable counting sort. Threads own ranges of cells, not of particles: each looks at all keys and counts, then places,
-//! those of its own cells, so that what it writes is one piece, and the order is that of one thread. Columns go through a
-//! spare one each thread keeps. Once its lists have grown to the particles, a sort takes no memory.
+//! those of its own cells, so that what it writes is one piece, and the order is that of one thread. Columns are reordered in
+//! place, by way of a window of old values that each thread keeps: particles travel a cell at most between two sorts, so that
+//! none comes from farther than a layer or two. Once its lists have grown to the particles, a sort takes no memory.
 
 mod cells;
 
@@ -17,6 +18,10 @@ use std::ops::Range;
 
 /// Cells per particle up to which counting them all is cheaper than comparing keys, and cells that are always counted.
 const COUNTED_CELLS: [usize; 2] = [8, 1024];
+/// Values of a column that are kept, and replaced, at once; a power of two.
+const PIECE: usize = 1 << 7;
+/// Values that are compared at once.
+const COMPARED: usize = 64;
 
 /// Sorts particles, and keeps what it needs for that from one sort to the next.
 #[derive(Debug, Default)]
@@ -29,13 +34,12 @@ pub struct Sorter {
     ends: Vec<u32>,
     /// First and last cell in use of each row of base cells.
     occupied: Vec<Option<(u32, u32)>>,
-    /// Spare columns of each set, for their lengths differ.
-    spares: Vec<SpareColumns>,
+    windows: Windows,
 }
 
-/// Columns of a set that are not in use.
+/// Old values of columns around the places that are filled now.
 #[derive(Debug, Default)]
-struct SpareColumns {
+struct Windows {
     /// One for each thread.
     columns: Vec<Vec<f64>>,
     ids: Vec<u64>,
@@ -67,9 +71,8 @@ impl Sorter {
         let bases = shape.bases();
         self.occupied.clear();
         self.occupied.resize(bases[0] * bases[1], None);
-        self.spares.resize_with(sets.len(), SpareColumns::default);
         let offset = family.sort_offset(stencil);
-        for (index, set) in sets.iter_mut().enumerate() {
+        for set in sets {
             let cells = Cells::in_use(set, shape, offset, lanes, team);
             self.number(set, &Numbering::new(shape, offset, &cells), lanes, team);
             let sorted = self.keys.is_sorted();
@@ -80,7 +83,7 @@ impl Sorter {
                 self.compare(set, bases, &cells, sorted, team);
             }
             if !sorted {
-                permute(set, &self.order, &mut self.spares[index], team);
+                permute(set, &self.order, &mut self.windows, team);
             }
         }
         rows.fill(shape, &self.occupied, stencil);
@@ -264,30 +267,72 @@ fn widen(span: &mut Option<(u32, u32)>, low: u32, high: u32) {
 }
 
 /// Reorders all columns: particle `order[i]` becomes particle `i`.
-fn permute(set: &mut ParticleSet, order: &[u32], spares: &mut SpareColumns, team: &Team) {
+fn permute(set: &mut ParticleSet, order: &[u32], windows: &mut Windows, team: &Team) {
     // The identifiers are one column more, and those of the last share are fewest.
     let share = (set.columns.len() + 1).div_ceil(team.count()).max(1);
-    spares.columns.resize_with(team.count(), Vec::new);
+    windows.columns.resize_with(team.count(), Vec::new);
     let last = set.columns.len().div_ceil(share) - 1;
-    let mut ids = Some((&mut set.id, &mut spares.ids));
-    let parts = set.columns.chunks_mut(share).zip(&mut spares.columns);
+    let mut ids = Some((&mut set.id, &mut windows.ids));
+    let parts = set.columns.chunks_mut(share).zip(&mut windows.columns);
     let parts = (parts.enumerate())
         .map(|(number, part)| (part, if number == last { ids.take() } else { None }));
-    team.each(parts, |((columns, spare), ids)| {
+    let places = (0..).zip(order);
+    let reach = places.map(|(place, &p): (u32, _)| place.abs_diff(p)).max();
+    let reach = reach.unwrap_or(0) as usize;
+    team.each(parts, |((columns, window), ids)| {
         for column in columns {
-            gather(column, order, spare);
+            if !has_one_value(column) {
+                gather(column, order, reach, window);
+            }
         }
-        if let Some((ids, spare)) = ids {
-            gather(ids, order, spare);
+        if let Some((ids, window)) = ids {
+            gather(ids, order, reach, window);
         }
     });
 }
 
-/// Reorders a column by way of a spare one.
-fn gather<T: Copy>(column: &mut Vec<T>, order: &[u32], spare: &mut Vec<T>) {
-    spare.clear();
-    spare.extend(order.iter().map(|&p| column[p as usize]));
-    std::mem::swap(column, spare);
+/// True if all values of a column have the same bits, as masses mostly do, and most columns at the start: it has no order.
+fn has_one_value(column: &[f64]) -> bool {
+    let first = column.first().map_or(0, |x| x.to_bits());
+    // Without a branch for each value.
+    column.chunks(COMPARED).all(|some| {
+        let bits = some.iter().map(|x| x.to_bits() ^ first);
+        bits.fold(0, |any, bits| any | bits) == 0
+    })
+}
+
+/// Reorders a column in place, where no value comes from farther than `reach` places.
+fn gather<T: Copy + Default>(column: &mut [T], order: &[u32], reach: usize, window: &mut Vec<T>) {
+    let count = column.len();
+    // Old values from `reach` places before a piece to as many behind it, each where the low bits of its place say; or all.
+    let ring = (2 * (reach + PIECE)).next_power_of_two();
+    let (length, low_bits) = if ring < count {
+        (ring, ring - 1)
+    } else {
+        (count, usize::MAX)
+    };
+    window.resize(window.len().max(length), T::default());
+    let window = &mut window[..length];
+    let mut kept = 0;
+    for (piece, order) in order.chunks(PIECE).enumerate() {
+        let start = piece * PIECE;
+        let end = start + order.len();
+        while kept < count.min(end + reach) {
+            let old = &column[kept..count.min(kept + PIECE)];
+            window[kept & low_bits..][..old.len()].copy_from_slice(old);
+            kept += old.len();
+        }
+        let from = |p: u32| window[p as usize & low_bits];
+        // Four at once: of one at a time a third of the instructions are those of the loop.
+        let (fours, rest) = column[start..end].as_chunks_mut::<4>();
+        let (order, order_of_rest) = order.as_chunks::<4>();
+        for (values, order) in fours.iter_mut().zip(order) {
+            *values = order.map(from);
+        }
+        for (value, &p) in rest.iter_mut().zip(order_of_rest) {
+            *value = from(p);
+        }
+    }
 }
 
 /// Numbers of the base rows, among those of all layers, in which a sort would find some particles of a set now.

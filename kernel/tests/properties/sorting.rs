@@ -144,3 +144,61 @@ proptest! {
         }
     }
 }
+
+/// A body many times longer than what a sort holds of a column at once: particles come to the places that a plain stable sort gives
+/// them, where they hardly move, and where one layer comes from the other end.
+#[test]
+fn a_long_body_is_sorted_as_a_short_one() {
+    const LAYERS: usize = 150;
+    const IN_LAYER: usize = 120;
+    let shape = shape(Dimension::Three, [LAYERS + 2, 6, 5]);
+    let reach = (Family::Gimp, 3);
+    // Two slices of twelve by five particles in each layer of cells, one after the other, as shapes are filled.
+    let places: Vec<[f64; 3]> = (0..LAYERS * IN_LAYER)
+        .map(|p| {
+            let (slow, across) = (p / (IN_LAYER / 2), p % (IN_LAYER / 2));
+            let share = |i: usize, of: usize| (i as f64 + 0.5) / of as f64;
+            [
+                (0.5 + 0.5 * slow as f64 + 0.25) / (LAYERS + 2) as f64,
+                share(across / 5, 12),
+                share(across % 5, 5),
+            ]
+        })
+        .collect();
+    for threads in [1, 2, 3] {
+        let team = Team::new(threads).expect("threads");
+        let lanes = SelectedLanes::new(LaneChoice::Auto).expect("lanes");
+        let mut sorter = Sorter::default();
+        let mut sets = [set(&shape, &places, 7)];
+        for round in 0..3 {
+            let [given] = &mut sets;
+            let far = given.len() - IN_LAYER;
+            let x = &mut given.columns[Layout::POSITION];
+            for (p, x) in x.iter_mut().enumerate() {
+                // By less than a cell, each by its own share of it.
+                *x += CELL[0] * 0.2 * (p as f64).sin();
+                // And in the end a layer by all of the body.
+                if round == 2 && p >= far {
+                    *x -= (LAYERS - 1) as f64 * CELL[0];
+                }
+            }
+            let before = given.clone();
+            sorter.sort(
+                &mut sets,
+                &shape,
+                reach,
+                lanes,
+                &team,
+                &mut ActiveRows::default(),
+            );
+            let mut order: Vec<usize> = (0..before.len()).collect();
+            order.sort_by_key(|&p| cell(&before, &shape, reach.0, reach.1, p));
+            let ids: Vec<u64> = order.iter().map(|&p| before.id[p]).collect();
+            assert_eq!(sets[0].id, ids, "{threads} threads, round {round}");
+            for (column, before) in sets[0].columns.iter().zip(&before.columns) {
+                let moved: Vec<f64> = order.iter().map(|&p| before[p]).collect();
+                assert_eq!(column, &moved, "{threads} threads, round {round}");
+            }
+        }
+    }
+}

@@ -1,6 +1,6 @@
 //! Memory budget: parts of a simulation take their share of the free memory before they are allocated.
 //!
-//! Estimates, on the high side: what an array holds, and a copy where a sort or a checkpoint makes one. The grid is counted as
+//! Estimates, on the high side: what an array holds, and a copy where a checkpoint makes one. The grid is counted as
 //! far as bodies reach at the start, since the system commits the rest when it is first written; a step asks for what they
 //! reach later, as they travel.
 
@@ -187,8 +187,8 @@ pub(super) fn loads(
     Ok(())
 }
 
-/// Bytes that one particle needs: its state, a copy of it while it is sorted or saved, what fills it in, and what is
-/// written of it.
+/// Bytes that one particle needs: its state, a copy of it while it is saved, what fills and sorts it, and what is written
+/// of it.
 pub(super) fn per_particle(scene: &Scene, layout: &Layout) -> f64 {
     let numbers = |field: &Field| match field {
         Field::DeformationGradient => 9.0,
