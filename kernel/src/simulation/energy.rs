@@ -40,10 +40,11 @@ struct HalfStep {
 impl Cycle {
     /// Begins the energy balance.
     pub(super) fn open_ledger(&mut self) {
-        self.state.ledger.dead_load_origin = self.dead_load_potential();
-        let [kinetic, stored] = self.water_energies();
-        self.state.ledger.initial_energy =
-            self.kinetic_energy() + self.strain_energy() + (kinetic + stored);
+        let [kinetic, strain, load] = self.energies();
+        let [kinetic_of_water, stored] = self.water_energies();
+        let ledger = &mut self.state.ledger;
+        ledger.dead_load_origin = load;
+        ledger.initial_energy = kinetic + strain + (kinetic_of_water + stored);
         self.state.start_spin = self.spin();
     }
 
