@@ -92,10 +92,10 @@ fn a_case_whose_name_begins_another_is_told_from_it() {
 }
 
 /// Records of the files of a folder, read as one.
-fn joined(all: [&Record; 2]) -> Record {
+fn joined(all: &[&Record]) -> Record {
     let folder = TempDir::new().expect("a folder");
-    for (number, record) in all.into_iter().enumerate() {
-        let mut record = record.clone();
+    for (number, record) in all.iter().enumerate() {
+        let mut record = (*record).clone();
         record.push(Row::sample("bar/h=1", 0, 1));
         let path = folder.path().join(format!("{number}.json"));
         record.write(&path).expect("written");
@@ -113,8 +113,9 @@ fn what_was_asked_for_is_said_where_it_is_not_all() {
     assert_eq!(record.cases_asked(), Some(vec!["bar"]));
     let mut other = Record::new(&Options::default());
     other.set_cases(&["hertz", "bar"], 9);
-    let record = joined([&record, &other]);
-    assert_eq!(record.cases_asked(), Some(vec!["bar", "hertz"]));
-    let record = joined([&record, &Record::new(&Options::default())]);
-    assert_eq!(record.cases_asked(), None);
+    let both = joined(&[&record, &other]);
+    assert_eq!(both.cases_asked(), Some(vec!["bar", "hertz"]));
+    let all = Record::new(&Options::default());
+    let with_all = joined(&[&record, &other, &all]);
+    assert_eq!(with_all.cases_asked(), None);
 }
