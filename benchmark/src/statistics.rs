@@ -144,9 +144,9 @@ fn exact_tail(n: usize, m: usize, u: usize) -> f64 {
     for j in 1..=m {
         for i in 1..=n {
             let share = i as f64 / (i + j) as f64;
-            let first = probability[i - 1].clone();
-            let both = &mut probability[i];
-            for (value, both) in both.iter_mut().enumerate() {
+            let (before, from_here) = probability.split_at_mut(i);
+            let (first, both) = (&before[i - 1], &mut from_here[0]);
+            for (value, both) in both[..=i * j].iter_mut().enumerate() {
                 let from_first = if value >= j { first[value - j] } else { 0.0 };
                 *both = share * from_first + (1.0 - share) * *both;
             }
@@ -176,10 +176,14 @@ pub fn signed_rank(differences: &[f64]) -> f64 {
     // Share of all signs that give each sum.
     let mut share = vec![0.0; ranks.iter().sum::<usize>() + 1];
     share[0] = 1.0;
+    let mut largest = 0;
     for &rank in &ranks {
-        for at in (0..share.len()).rev() {
-            let with = if at >= rank { share[at - rank] } else { 0.0 };
-            share[at] = 0.5 * (share[at] + with);
+        largest += rank;
+        for at in (rank..=largest).rev() {
+            share[at] = 0.5 * (share[at] + share[at - rank]);
+        }
+        for below in &mut share[..rank] {
+            *below *= 0.5;
         }
     }
     share[sum..].iter().sum()
