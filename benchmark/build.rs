@@ -5,7 +5,7 @@ use std::path::Path;
 use std::process::Command;
 
 /// Sources that decide the machine code, below the folder of the workspace. The commit of a binary is that of these.
-const SOURCES: [&str; 14] = [
+const SOURCES: [&str; 15] = [
     "Cargo.toml",
     "Cargo.lock",
     "kernel/Cargo.toml",
@@ -15,6 +15,7 @@ const SOURCES: [&str; 14] = [
     "kernel/geometry",
     "kernel/laws",
     "kernel/scene",
+    "kernel/stages",
     "verification/Cargo.toml",
     "verification/src",
     "benchmark/Cargo.toml",

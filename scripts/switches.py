@@ -40,7 +40,7 @@ BY_HAND = {
          'let stress = if @ { ["XX", "YY", "ZZ", "XZ", "YZ", "XY"] } else { STRESS '
          '};\nnames.extend(stress.map(|s| format!("{name}_s{}", s.to_lowercase())));')],
     "free-ground-stands-still": [
-        ("kernel/src/simulation/free_ground.rs",
+        ("kernel/src/simulation/ground/free_ground.rs",
          "force[axis] += node.impedance[axis] * (mean - 2.0 * wave)",
          "force[axis] += node.impedance[axis] * ((if @ { 0.0 * mean } else { mean }) - 2.0 * wave)")],
     "law-edges-swapped": [
@@ -55,11 +55,11 @@ BY_HAND = {
          "+ 0.5 * self.elasticity.lambda * ln_j * ln_j",
          "+ (if @ { 1.0 } else { 0.5 }) * self.elasticity.lambda * ln_j * ln_j")],
     "p2g-remap-without-affine": [
-        ("kernel/src/stage/p2g/scratch.rs",
+        ("kernel/stages/src/stage/p2g/scratch.rs",
          "&& carry != Carry::Force",
          "&& !(carry == Carry::Force || (@ && carry == Carry::Remap))")],
     "p2g-stress-yz-as-xy": [
-        ("kernel/src/stage/p2g/scratch.rs",
+        ("kernel/stages/src/stage/p2g/scratch.rs",
          "let stress = &columns[Layout::stress(D) + voigt::<D>(c, axis)];",
          "let slot = voigt::<D>(c, axis); let wrong = D == 3 && c != axis && @;\nlet stress = "
          "&columns[Layout::stress(D) + if wrong { 2 + c + axis } else { slot }];")],
@@ -73,15 +73,15 @@ BY_HAND = {
          "Some(_) => if @ { OwnParticles::all(set.len()) } else { set.in_block(&self.work.grid.block(), "
          "&self.work.grid.shape) },")],
     "solve-ghosts-have-energy": [
-        ("kernel/src/stage/solve.rs",
+        ("kernel/stages/src/stage/solve.rs",
          "|| (index >= GHOSTS_BELOW",
          "|| ((if @ { index + 1 } else { index }) >= GHOSTS_BELOW")],
     "solve-unfold-order": [
-        ("kernel/src/stage/solve.rs",
+        ("kernel/stages/src/stage/solve.rs",
          "for wall in walls.iter().rev() {",
          "for wall in (0..walls.len()).map(|k| &walls[if @ { k } else { walls.len() - 1 - k }]) {")],
     "sort-too-late": [
-        ("kernel/src/simulation/passes.rs",
+        ("kernel/src/simulation/step/passes.rs",
          "let stale = self.state.travel > SORT_AFTER",
          "let stale = self.state.travel > (if @ { 1.45 } else { SORT_AFTER })")],
     "standing-water-skeleton-alone": [
@@ -115,7 +115,7 @@ BY_HAND = {
          "for side in (0..2).filter(|side| is_open(axis, *side)) {",
          "for side in (0..2).filter(|side| is_open(axis, *side) && !@) {")],
     "water-undrained-speed-bounds-step": [
-        ("kernel/src/model/water.rs",
+        ("kernel/stages/src/model/water.rs",
          "let root = (a * a - 4.0 * d).max(0.0).sqrt();",
          "let root = (a * a - 4.0 * d).max(0.0).sqrt();\n"
          "let together = (1.0 - porosity) * self.grain_density + porosity * self.density;\n"
@@ -126,12 +126,12 @@ BY_HAND = {
          "area: 2.0 * volume / h,",
          "area: (if @ { volume } else { 2.0 * volume }) / h,")],
     "weight-without-mesh-shift": [
-        ("kernel/src/simulation/measure.rs",
+        ("kernel/src/simulation/monitor/measure.rs",
          "std::array::from_fn(|axis| set.position(p)[axis] + self.state.mesh_shift[axis]);",
          "std::array::from_fn(|axis| if @ { set.position(p)[axis] } else { set.position(p)[axis] + "
          "self.state.mesh_shift[axis] });")],
     "weights-gimp-derivative-inside": [
-        ("kernel/src/weights.rs",
+        ("kernel/stages/src/weights.rs",
          "L::select(reaches_lower, two * upper * quarter, one),",
          "L::select(reaches_lower, two * upper * quarter, if @ { two * upper * quarter } else { one }),")],
 }

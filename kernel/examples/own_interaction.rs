@@ -40,7 +40,7 @@ impl SlabInteraction for &Drag {
     fn correct(&mut self, slab: &mut Slab<'_>, context: &StepContext<'_>, _: &mut ExactStepSums) {
         // Exact for any step: the share of the relative velocity that is lost in the time over which velocities change.
         let lost = 1.0 - (-self.rate * context.nodal().kick).exp();
-        slab.for_each_shared(self.bodies, context, |[a, b]| {
+        context.for_each_shared(slab, self.bodies, |[a, b]| {
             let (m_a, m_b) = (a.mass(), b.mass());
             let (v_a, v_b) = (a.velocity(), b.velocity());
             let impulse: Vector =

@@ -14,6 +14,9 @@
 //! [`simulation::Cycle`] (state and explicit cycle). A cycle gives its results by queries, and its whole state as a
 //! [`simulation::SavedState`].
 //!
+//! The stages, the grid, the particles and the trait of laws are in `proctor-stages`, which is handed on here under the same names:
+//! a program names one package.
+//!
 //! It knows no scene, no law of a material, no contact and no file. Laws, conditions and interactions come by the traits
 //! [`laws::Law`], [`simulation::Condition`] and [`simulation::Interaction`]; `proctor-laws`, `proctor-contact` and
 //! `proctor-scene` beside it implement them, and have nothing that a program's own does not have.
@@ -37,28 +40,18 @@
 // What is kept must not hang on the platform: see clippy.toml. Tests may compare with its functions.
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
-pub mod lanes;
-pub mod laws;
-pub mod layout;
-pub mod model;
-pub mod particles;
 pub mod plan;
-pub mod ranks;
 pub mod simulation;
-pub mod transfers;
-pub mod weighting;
-
-// What the cycle is made of: open to the tests and benchmarks beside it, and not meant for a user. What a user's own
-// condition or interaction meets of it is in `simulation`.
-#[doc(hidden)]
-pub mod grid;
-#[doc(hidden)]
-pub mod sorting;
-#[doc(hidden)]
-pub mod stage;
-#[doc(hidden)]
-pub mod weights;
 
 pub use proctor_geometry::{
     bodies, enclosed, exact_sum, memory, number, shape, sheet, solid, stratum, team,
 };
+
+pub use proctor_stages::{
+    history, lanes, laws, layout, model, particles, ranks, transfers, weighting,
+};
+
+// What the cycle is made of: open to the tests and benchmarks beside it, and not meant for a user. What a user's own
+// condition or interaction meets of it is in `simulation`.
+#[doc(hidden)]
+pub use proctor_stages::{fields, grid, sorting, stage, weights};

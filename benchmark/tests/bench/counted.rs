@@ -67,6 +67,6 @@ fn scenes_that_reach_a_changed_source_are_named() {
     );
     assert!(!changed.contains(&"rest-3d/step".to_owned()));
     assert!(!changed.contains(&"contact-3d/step".to_owned()));
-    write(root.path(), "kernel/src/grid.rs", "other");
+    write(root.path(), "kernel/stages/src/grid.rs", "other");
     assert_eq!(uncounted(root.path(), &record).len(), items().len());
 }

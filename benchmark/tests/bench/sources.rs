@@ -12,7 +12,7 @@ const FILES: [&str; 14] = [
     "Cargo.lock",
     "benchmark/benches/instructions/main.rs",
     "kernel/Cargo.toml",
-    "kernel/src/grid.rs",
+    "kernel/stages/src/grid.rs",
     "kernel/scene/src/values/mortar.rs",
     "kernel/laws/src/plastic.rs",
     "kernel/contact/src/pairs/surface.rs",
@@ -95,8 +95,9 @@ fn each_file_makes_those_scenes_be_counted_that_can_reach_it() {
 #[test]
 fn a_file_that_comes_goes_or_moves_is_a_change() {
     assert_eq!(again(|root| write(root, "kernel/new/src/lib.rs", "")), ALL);
-    let removed =
-        again(|root| fs::remove_file(root.join("kernel/src/grid.rs")).expect("it was there"));
+    let removed = again(|root| {
+        fs::remove_file(root.join("kernel/stages/src/grid.rs")).expect("it was there");
+    });
     assert_eq!(removed, ALL);
     let moved = again(|root| {
         let (from, to) = ("kernel/contact", "kernel/touching");
@@ -123,7 +124,7 @@ fn what_is_in_no_counted_program_is_no_change() {
 /// Words make no instruction; in a manifest every line counts.
 #[test]
 fn comments_are_no_change() {
-    let file = "kernel/src/grid.rs";
+    let file = "kernel/stages/src/grid.rs";
     let text = file.to_owned();
     let commented = format!("//! The cycle.\n\n  /// A stage.\n{text}\n// Why.\n");
     assert_eq!(again(|root| write(root, file, &commented)), NONE);

@@ -19,7 +19,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The documents outside the book.
-const DOCUMENTS: [&str; 14] = [
+const DOCUMENTS: [&str; 15] = [
     "README.md",
     "CHANGELOG.md",
     "CONTRIBUTING.md",
@@ -31,6 +31,7 @@ const DOCUMENTS: [&str; 14] = [
     "kernel/geometry/README.md",
     "kernel/laws/README.md",
     "kernel/scene/README.md",
+    "kernel/stages/README.md",
     "verification/README.md",
     "benchmark/README.md",
     "scripts/README.md",

@@ -3,10 +3,10 @@
 //! The cycle knows an interaction by its trait alone. Contact on the grid, mortar contact and rigid surfaces are in the package
 //! `proctor-contact`, and act by the same trait as what a program adds.
 
+use crate::fields::{Grid, Slab};
 use crate::grid::Line;
 use crate::model::CycleSettings;
 use crate::simulation::context::{NodalConditions, Remap, StepContext, VelocityMapping};
-use crate::simulation::fields::{Grid, Slab};
 use crate::simulation::step_view::{StepUpdate, StepView};
 use crate::simulation::values::{Drift, InteractionError, NodalForce, SavedArrays, SetupError};
 use crate::stage::solve::ExactStepSums;

@@ -1,6 +1,6 @@
 //! The mapping of particles to the nodes of their velocity fields.
 
-use super::fields::{Owner, Slab, SlabField};
+use crate::fields::{Owner, Slab, SlabField};
 use crate::grid::{GHOSTS_BELOW, GridShape, NodeBlock};
 use crate::lanes::SelectedLanes;
 use crate::layout::Layout;

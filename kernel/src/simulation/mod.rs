@@ -4,62 +4,45 @@ mod change;
 mod clock;
 pub(crate) mod conditions;
 mod context;
-mod energy;
-mod extremes;
-mod faults;
-pub(crate) mod fields;
-mod free_ground;
-mod ground_beyond;
-mod history;
-mod initial_imbalance;
-mod interaction_passes;
+mod ground;
 pub(crate) mod interactions;
-mod invariants;
 mod mapping;
-mod measure;
 mod model;
-mod motion;
+mod monitor;
 mod nodes;
-mod passes;
 mod phase;
 mod ranks;
-mod rehearsal;
-mod relaxation;
-mod result_quality;
-mod slab_cut;
-mod spin;
 mod start;
 mod state;
 mod state_hash;
 mod step;
 mod step_view;
 mod tension;
-mod touched_nodes;
 mod values;
 mod water;
 mod work_state;
 
+pub use crate::fields::{Grid, Owner, Slab, SlabField, VelocityField};
 pub use crate::grid::{GridShape, Line};
+pub use crate::history::{BaseVelocity, Displacement, value as history_value};
 pub use crate::stage::solve::{DashpotNode, EmptyNode, ExactStepSums, Planes, StepSum, StepSums};
 pub use conditions::{describe as describe_conditions, nodes_of_traction, of as conditions};
 pub use context::{
     Condition, FieldNodes, NOT_LOCAL, NodalConditions, Node, Remap, StepContext, VelocityMapping,
     at_half_step_after,
 };
-pub use fields::{Grid, Owner, Slab, SlabField, VelocityField};
-pub use history::{BaseVelocity, Displacement, value as history_value};
 pub use interactions::{
     BalanceTraits, BodyList, Interaction, InteractionClone, Interactions, OwnLines, PairList,
     SharedSlabInteraction, SlabInteraction, SlabMemory, SlabPart,
 };
 pub use mapping::{NodeWeights, node_weights, node_weights_touching};
+pub use monitor::result_quality::{MOST_REMAINDER, ResultQuality};
 pub use nodes::NodeValues;
 pub use phase::Phase;
 use ranks::Share;
 pub use ranks::{OwnPart, PartOfSet, RankForecast};
-pub use rehearsal::{Part, Rehearsal};
-pub use result_quality::{MOST_REMAINDER, ResultQuality};
 pub use start::Start;
+pub use step::rehearsal::{Part, Rehearsal};
 pub use step_view::{StepUpdate, StepView};
 pub use values::{
     AbsorbingNode, BodyEnergy, BodyHandle, BodyRun, Bound, Clock, Drift, Energy, EnergyLedger,

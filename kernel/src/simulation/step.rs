@@ -1,5 +1,11 @@
 //! One step of the explicit cycle.
 
+mod interaction_passes;
+mod motion;
+mod passes;
+pub(super) mod rehearsal;
+mod relaxation;
+
 use super::Cycle;
 use super::interactions::Interaction;
 use super::phase::{Phase, PhaseObserver, PhaseTimer};

@@ -1,12 +1,12 @@
 //! Views of a simulation in a step, as interactions read and change it.
 
 use super::BaseVelocity;
+use crate::fields::Grid;
 use crate::lanes::SelectedLanes;
 use crate::layout::Layout;
 use crate::model::{CycleSettings, Vector};
 use crate::particles::{OwnParticles, ParticleSet};
 use crate::ranks::Ranks;
-use crate::simulation::fields::Grid;
 use crate::simulation::values::{BodyRun, Clock, Event, EventKind, ParticleAt};
 use crate::stage::g2p::ParticleMaxima;
 use crate::stage::solve::StepSums;

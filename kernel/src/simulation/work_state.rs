@@ -1,12 +1,12 @@
 //! The work state: memory of a step that holds nothing between two of them.
 
 use super::interactions::Interactions;
-use super::invariants::Momentum;
+use super::monitor::invariants::Momentum;
 use super::phase::PhaseTimer;
 use super::ranks::Share;
 use super::tension::TensionWatch;
+use crate::fields::Grid;
 use crate::simulation::context::NodalConditions;
-use crate::simulation::fields::Grid;
 use crate::simulation::values::{NodalForce, StepError};
 use crate::stage::g2p::ParticleMaxima;
 use crate::stage::solve::{EmptyNode, ExactStepSums, StepSums};

@@ -48,7 +48,7 @@ impl Interaction for Glue {
 
 impl Glue {
     fn join(&self, slab: &mut Slab<'_>, context: &StepContext<'_>) {
-        slab.for_each_shared(self.bodies, context, |[a, b]| {
+        context.for_each_shared(slab, self.bodies, |[a, b]| {
             let mass = a.mass() + b.mass();
             let mean = |of_a: Vector, of_b: Vector| -> Vector {
                 std::array::from_fn(|k| (a.mass() * of_a[k] + b.mass() * of_b[k]) / mass)

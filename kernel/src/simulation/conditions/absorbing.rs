@@ -14,11 +14,11 @@
 //! ([`Wall::extrapolates`](crate::stage::solve::Wall)).
 
 use super::{ConditionResult, ConditionType};
+use crate::fields::{Owner, SlabField};
 use crate::grid::{GridShape, Line};
-use crate::model::{CycleSettings, PlaneCondition, Vector};
+use crate::model::{CycleSettings, Vector};
 use crate::simulation::Cycle;
 use crate::simulation::context::{Condition, FieldNodes, NodalConditions};
-use crate::simulation::fields::{Owner, SlabField};
 use crate::simulation::values::{AbsorbingNode, Drift, StepError, StepErrorKind};
 use crate::stage::solve::{DashpotNode, EmptyNode, ExactStepSums, StepSum};
 use std::sync::Arc;
@@ -237,39 +237,5 @@ impl Cycle {
             }
         }
         Ok(())
-    }
-}
-
-impl CycleSettings {
-    /// The absorbing planes: axis of the normal, and 0 for the lower or 1 for the upper plane.
-    pub(crate) fn absorbing_planes(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
-        self.planes_that_are(PlaneCondition::Absorbing)
-    }
-
-    /// The antisymmetric planes that bear the stress of the start.
-    pub(in crate::simulation) fn bearing_planes(
-        &self,
-    ) -> impl Iterator<Item = (usize, usize)> + '_ {
-        let planes = self.planes_that_are(PlaneCondition::Antisymmetric);
-        planes.filter(|_| self.starts_stressed)
-    }
-
-    fn planes_that_are(
-        &self,
-        condition: PlaneCondition,
-    ) -> impl Iterator<Item = (usize, usize)> + '_ {
-        let planes = (0..self.dimension.axes()).flat_map(|axis| [(axis, 0), (axis, 1)]);
-        planes.filter(move |(axis, side)| self.mesh.planes[*axis][*side] == condition)
-    }
-
-    /// True if a plane has reactions.
-    pub(in crate::simulation) fn has_reactions(&self) -> bool {
-        self.absorbs() || self.bearing_planes().next().is_some()
-    }
-
-    /// True if a plane is absorbing.
-    #[must_use]
-    pub fn absorbs(&self) -> bool {
-        self.absorbing_planes().next().is_some()
     }
 }

@@ -4,14 +4,14 @@
 //! equation of motion there: its nodes move as it does.
 
 use super::{ConditionResult, ConditionType};
+use crate::fields::Owner;
 use crate::grid::GridShape;
 use crate::layout::Layout;
 use crate::model::CycleSettings;
 use crate::particles::ParticleSet;
 use crate::simulation::context::{Condition, FieldNodes, NodalConditions};
-use crate::simulation::fields::Owner;
 use crate::simulation::mapping::node_weights;
-use crate::simulation::measure::kinetic_energy_of;
+use crate::simulation::monitor::measure::kinetic_energy_of;
 use crate::simulation::step_view::StepView;
 use crate::simulation::values::{BodyRun, StepError, StepInfo};
 use crate::simulation::{Cycle, history_value};

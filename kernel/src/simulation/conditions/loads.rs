@@ -2,12 +2,12 @@
 
 use super::light::Masses;
 use super::{ConditionResult, ConditionType};
+use crate::fields::{Owner, SlabField};
 use crate::grid::GridShape;
+use crate::history::value;
 use crate::model::{CycleSettings, History, Traction, Vector, Weighting};
 use crate::simulation::Cycle;
 use crate::simulation::context::{Condition, FieldNodes, NodalConditions};
-use crate::simulation::fields::{Owner, SlabField};
-use crate::simulation::history::value;
 use crate::simulation::step_view::StepView;
 use crate::simulation::values::SetupError;
 use crate::stage::solve::{EmptyNode, ExactStepSums, NodeForce, Planes};

@@ -16,12 +16,12 @@
 mod sums;
 
 use super::{ConditionResult, ConditionType};
+use crate::fields::Owner;
 use crate::grid::{GridShape, Line};
+use crate::history::value;
 use crate::layout::Layout;
 use crate::model::{CycleSettings, PlaneCondition, Shore, StandingWater, Vector, VolumetricStrain};
 use crate::simulation::context::{Condition, FieldForces, FieldNodes, NodalConditions};
-use crate::simulation::fields::Owner;
-use crate::simulation::history::value;
 use crate::simulation::step_view::StepView;
 use crate::simulation::water::porosity_at;
 use crate::stage::solve::{EmptyNode, ExactStepSums, StepSum};

@@ -4,9 +4,9 @@
 
 use super::{ConditionResult, ConditionType};
 use crate::grid::GridShape;
+use crate::history::value;
 use crate::model::{CycleSettings, PlaneCondition, PlanePressure, Weighting};
 use crate::simulation::context::{Condition, FieldNodes, NodalConditions, Remap};
-use crate::simulation::history::value;
 use crate::simulation::step_view::StepView;
 use crate::stage::solve::Wall;
 use crate::stage::water::{NodalPressure, PressedPlane};

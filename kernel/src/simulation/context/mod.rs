@@ -4,8 +4,8 @@ mod nodes;
 
 pub use nodes::{FieldNodes, Node};
 
-use super::fields::Owner;
 use super::mapping::ParticleToGrid;
+use crate::fields::Owner;
 use crate::model::Vector;
 use crate::particles::ParticleSet;
 use crate::simulation::step_view::StepView;

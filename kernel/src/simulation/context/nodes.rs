@@ -1,9 +1,9 @@
 //! The nodes of a field as a condition sees them.
 
 use super::{Remap, StepContext};
+use crate::fields::{Owner, Slab, SlabField};
 use crate::grid::Line;
 use crate::model::Vector;
-use crate::simulation::fields::{Owner, Slab, SlabField};
 use crate::stage::solve::{DrivenNode, ExactStepSums, Planes, StepSum, is_ghost};
 
 /// One velocity field in the planes of nodes that one thread owns.
@@ -100,19 +100,19 @@ impl<'s, 'a> FieldNodes<'s, 'a> {
     }
 }
 
-impl Slab<'_> {
-    /// Calls `act` for every node where two bodies with velocity fields of their own (by their places in the scene) have
-    /// mass, with the node of each, in order. What lies beyond a boundary plane with a condition is left out.
+impl StepContext<'_> {
+    /// Calls `act` for every node of a slab where two bodies with velocity fields of their own (by their places in the scene)
+    /// have mass, with the node of each, in order. What lies beyond a boundary plane with a condition is left out.
     pub fn for_each_shared(
-        &mut self,
+        &self,
+        slab: &mut Slab<'_>,
         bodies: [usize; 2],
-        context: &StepContext<'_>,
         mut act: impl FnMut(&mut [Node<'_>; 2]),
     ) {
-        let [Some(a), Some(b)] = bodies.map(|body| self.number_of(body)) else {
+        let [Some(a), Some(b)] = bodies.map(|body| slab.number_of(body)) else {
             return;
         };
-        let Ok(mut fields) = self.fields.get_disjoint_mut([a, b]) else {
+        let Ok(mut fields) = slab.fields.get_disjoint_mut([a, b]) else {
             return;
         };
         let (shape, range) = (fields[0].planes.shape, fields[0].planes.range.clone());
@@ -129,16 +129,16 @@ impl Slab<'_> {
                     |field: &&mut SlabField<'_>| field.planes.nodes[index - first][0] <= 0.0;
                 if !other.contains(&k)
                     || fields.iter().any(massless)
-                    || is_ghost(shape, &context.walls, at)
+                    || is_ghost(shape, &self.walls, at)
                 {
                     continue;
                 }
                 let local = shape.position(index);
                 let mut nodes = fields.each_mut().map(|field| Node {
-                    position: std::array::from_fn(|axis| local[axis] + context.origin[axis]),
+                    position: std::array::from_fn(|axis| local[axis] + self.origin[axis]),
                     line: &mut field.planes.nodes[index - first],
-                    lane: context.lane(),
-                    free: context.prescribed(field.owner).is_none(),
+                    lane: self.lane(),
+                    free: self.prescribed(field.owner).is_none(),
                     power: 0.0,
                 });
                 act(&mut nodes);

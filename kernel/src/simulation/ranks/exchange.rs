@@ -2,11 +2,11 @@
 
 use super::Share;
 use super::cut::Cut;
+use crate::fields::Grid;
 use crate::grid::{Line, NodeBlock};
 use crate::ranks::Words;
 use crate::simulation::Cycle;
 use crate::simulation::context::NodalConditions;
-use crate::simulation::fields::Grid;
 use crate::simulation::interactions::Interaction;
 use crate::stage::solve::DrivenNode;
 use std::ops::Range;

@@ -2,11 +2,11 @@
 
 use super::nodes::hand_over;
 use super::open::reach_beyond;
+use crate::fields::shares;
 use crate::layout::Layout;
 use crate::model::{CycleSettings, POROSITIES, PlaneCondition, StressScheme};
 use crate::particles::ParticleSet;
 use crate::simulation::Cycle;
-use crate::simulation::fields::shares;
 use crate::simulation::values::{StepError, StepErrorKind};
 use crate::stage::g2p::{WaterG2p, WaterTask};
 use std::sync::atomic::{AtomicBool, Ordering};

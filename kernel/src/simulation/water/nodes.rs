@@ -2,9 +2,9 @@
 
 use super::phases::{constants, porosity};
 use super::pressed::each_pressed;
+use crate::fields::{Owner, Slab};
 use crate::grid::{GHOSTS_BELOW, GridShape, Line};
 use crate::simulation::context::StepContext;
-use crate::simulation::fields::{Owner, Slab};
 use crate::stage::solve::{ExactStepSums, StepSum, Wall};
 
 /// Lane of a node of the water that holds the drag before the equation of motion, and the porosity after it.

@@ -6,8 +6,8 @@
 //! 2 p/(`rho_w` h d), so that the particle loses 4 `K_w`/`rho_w` (dt/h)² of its pressure in a step, less by drag, however small d is.
 //! Pressure and flux are transposes of each other here too: the mean velocity goes on beyond the plane as it is there.
 
+use crate::fields::{Owner, Slab, SlabField};
 use crate::grid::GridShape;
-use crate::simulation::fields::{Owner, Slab, SlabField};
 use crate::stage::solve::{Wall, plane_layers};
 use std::ops::Range;
 

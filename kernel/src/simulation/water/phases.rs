@@ -1,9 +1,9 @@
 //! Water and grains of a node: their volumes, and the constants that all waters of a scene share.
 
+use crate::fields::{Owner, Slab};
 use crate::grid::Line;
 use crate::model::PoreWater;
 use crate::simulation::context::StepContext;
-use crate::simulation::fields::{Owner, Slab};
 
 /// Volume of water and grains around a node \[m³\].
 pub(super) fn volume(water: &PoreWater, skeleton: &Line, flow: &Line) -> f64 {

@@ -12,9 +12,9 @@
 //! Elsewhere, and for splines, whose domains overlap, the ground ends at the plane: V_0 = A h/2.
 
 use super::phases::{constants, volume};
+use crate::fields::{Slab, SlabField};
 use crate::grid::Line;
 use crate::simulation::context::StepContext;
-use crate::simulation::fields::{Slab, SlabField};
 use crate::stage::solve::plane_layers;
 
 /// A node that a pressure pushes.
