@@ -23,6 +23,7 @@ fn rows(path: &str) -> Vec<Value> {
 }
 
 #[test]
+#[ignore = "long: `cargo test -- --include-ignored` runs it, as CI does"]
 fn reports_stand_beside_their_references_and_are_no_errors() {
     let desk = Desk::new();
     let config = json!({ "executables": {

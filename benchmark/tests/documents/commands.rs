@@ -367,6 +367,7 @@ fn python() -> bool {
 }
 
 #[test]
+#[ignore = "long: `cargo test -- --include-ignored` runs it, as CI does"]
 fn every_command_of_the_documents_runs() {
     let mut faults = vec![];
     let (mut checked, mut shown) = (0, 0);
