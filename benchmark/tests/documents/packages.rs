@@ -24,7 +24,7 @@ fn each_package_has_a_licence_and_versions_of_what_it_needs() {
     );
     let metadata: Value = serde_json::from_slice(&output.stdout).expect("JSON");
     let packages = metadata["packages"].as_array().expect("packages");
-    assert_eq!(packages.len(), 10);
+    assert_eq!(packages.len(), 11);
     // `cargo run` takes the one program of the default members.
     let members = metadata["workspace_default_members"].as_array();
     let members = members.expect("default members");
