@@ -3,7 +3,7 @@
 //! Each rank owns a block of node planes along the first axis, and of rows along the second where there are more ranks than
 //! planes have room for, and the particles that begin there. It holds copies (ghosts) of the particles beside it that reach its
 //! nodes. It computes its ghosts once more, in the order in which one process would, so
-//! that no bit depends on the number of ranks: see [`Cycle::share_among`](crate::simulation::Cycle::share_among). This file
+//! that no bit depends on the number of ranks: see `Cycle::share_among` of the kernel. This file
 //! names the messages that a step needs; an engine such as MPI sends them.
 
 mod threads;
