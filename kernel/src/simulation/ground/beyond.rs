@@ -16,7 +16,7 @@ const REACH: f64 = 2.0;
 impl Cycle {
     /// Finds impedances and reactions at the nodes of absorbing planes, from the particles as they are. A node that no
     /// particle reaches now stays free.
-    pub(in crate::simulation) fn start_absorbing(&mut self) {
+    pub(crate) fn start_absorbing(&mut self) {
         if !self.model.settings.has_reactions() {
             return;
         }
@@ -112,12 +112,7 @@ impl Cycle {
     }
 
     /// Impedances of the dashpots and stiffnesses of the springs at a node of a plane that stands for that area \[m²\].
-    pub(in crate::simulation) fn dashpot(
-        &self,
-        one: &Ground,
-        covered: f64,
-        axis: usize,
-    ) -> (Vector, Vector) {
+    pub(crate) fn dashpot(&self, one: &Ground, covered: f64, axis: usize) -> (Vector, Vector) {
         let thickness = self.model.settings.ground_beyond.thickness;
         let (mut impedance, mut stiffness) = ([0.0; 3], [0.0; 3]);
         let axes = 0..self.work.grid.shape.axes;
@@ -132,7 +127,7 @@ impl Cycle {
     }
 
     /// The ground at the nodes of an absorbing plane, in the order of the nodes.
-    pub(in crate::simulation) fn ground_at(&self, axis: usize, side: usize) -> Vec<Ground> {
+    pub(crate) fn ground_at(&self, axis: usize, side: usize) -> Vec<Ground> {
         let settings = &self.model.settings;
         let (shape, mesh) = (&self.work.grid.shape, &settings.mesh);
         let mut ground = plane_nodes(settings, shape, axis, side);
@@ -205,18 +200,18 @@ impl Cycle {
 }
 
 /// The ground at a node: sums over the particles that reach it.
-pub(in crate::simulation) struct Ground {
-    pub(in crate::simulation) node: usize,
+pub(crate) struct Ground {
+    pub(crate) node: usize,
     /// Area of the plane that the node stands for \[m²\].
-    pub(in crate::simulation) area: f64,
-    pub(in crate::simulation) mass: f64,
-    pub(in crate::simulation) volume: f64,
+    pub(crate) area: f64,
+    pub(crate) mass: f64,
+    pub(crate) volume: f64,
     /// Mass times density times the speed of compression and of shear.
-    pub(in crate::simulation) impedance: [f64; 2],
+    pub(crate) impedance: [f64; 2],
     /// Mass times density times the square of those speeds.
     modulus: [f64; 2],
     /// Mass times the rate of viscous damping.
-    pub(in crate::simulation) damping_rate: f64,
+    pub(crate) damping_rate: f64,
 }
 
 impl Ground {
@@ -234,7 +229,7 @@ impl Ground {
     }
 
     /// Nodes that particles reach, with the area that is covered there \[m²\]: ground covers a part of the cells around its edge.
-    pub(in crate::simulation) fn covered(all: &[Self]) -> impl Iterator<Item = (&Self, f64)> {
+    pub(crate) fn covered(all: &[Self]) -> impl Iterator<Item = (&Self, f64)> {
         let fullest = (all.iter()).fold(0.0_f64, |most, one| most.max(one.volume / one.area));
         let with_mass = all.iter().filter(|one| one.mass > 0.0);
         with_mass.map(move |one| {

@@ -30,7 +30,7 @@ type LinkSums = [f64; 3];
 
 impl Cycle {
     /// Sets up the columns beside absorbing sides, at rest, once the nodes of absorbing planes are known.
-    pub(in crate::simulation) fn start_free_ground(&mut self) {
+    pub(crate) fn start_free_ground(&mut self) {
         let settings = &self.model.settings;
         let Some((up, base_side)) = settings.shaken_plane() else {
             return;
@@ -139,7 +139,7 @@ impl Cycle {
 
     /// Forces of free ground on the nodes of absorbing sides: those of the dashpots and springs that its motion moves, and its
     /// stress.
-    pub(in crate::simulation) fn add_free_ground(&self, nodal: &mut NodalConditions, wave: Vector) {
+    pub(crate) fn add_free_ground(&self, nodal: &mut NodalConditions, wave: Vector) {
         let Some((up, _)) = self.model.settings.shaken_plane() else {
             return;
         };
@@ -223,7 +223,7 @@ impl Cycle {
 
     /// The largest step in which columns are stable \[s\]: 2/w, with w² at most twice the stiffness of the links at a node over
     /// its mass.
-    pub(in crate::simulation) fn free_ground_step(&self) -> f64 {
+    pub(crate) fn free_ground_step(&self) -> f64 {
         let all = &self.state.free_ground;
         let of = |number: usize| {
             let above = all.get(number + 1).map_or(0.0, |link| link.stiffness[1]);
@@ -238,11 +238,7 @@ impl Cycle {
     }
 
     /// Moves the free ground by a step.
-    pub(in crate::simulation) fn move_free_ground(
-        &mut self,
-        nodal: &NodalConditions,
-        drift: &Drift,
-    ) {
+    pub(crate) fn move_free_ground(&mut self, nodal: &NodalConditions, drift: &Drift) {
         let Some((up, _)) = self.model.settings.shaken_plane() else {
             return;
         };

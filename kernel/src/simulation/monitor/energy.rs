@@ -39,7 +39,7 @@ struct HalfStep {
 
 impl Cycle {
     /// Begins the energy balance.
-    pub(in crate::simulation) fn open_ledger(&mut self) {
+    pub(crate) fn open_ledger(&mut self) {
         let [kinetic, strain, load] = self.energies();
         let [kinetic_of_water, stored] = self.water_energies();
         let ledger = &mut self.state.ledger;
@@ -49,7 +49,7 @@ impl Cycle {
     }
 
     /// Adds the work and the losses of this step to the balance. Loads do work over the time that positions move.
-    pub(in crate::simulation) fn update_energy(&mut self, drift: &Drift) {
+    pub(crate) fn update_energy(&mut self, drift: &Drift) {
         let (ledger, sums) = (&mut self.state.ledger, &self.work.sums);
         ledger.external_work += sums.power * drift.time;
         ledger.damping += sums.damping;
@@ -71,7 +71,7 @@ impl Cycle {
     }
 
     /// The balance with velocities as they are, half a step behind.
-    pub(in crate::simulation) fn energy_behind(&self) -> Energy {
+    pub(crate) fn energy_behind(&self) -> Energy {
         self.balance(&self.no_half_step())
     }
 
@@ -210,7 +210,7 @@ impl Cycle {
 }
 
 /// Snapshot of all that acting for half a step changes, to be put back.
-pub(in crate::simulation) struct NodalSnapshot {
+pub(crate) struct NodalSnapshot {
     interactions: Interactions,
     groups: Groups,
     sums: StepSums,
@@ -224,7 +224,7 @@ pub(in crate::simulation) struct NodalSnapshot {
 }
 
 impl NodalSnapshot {
-    pub(in crate::simulation) fn take(simulation: &mut Cycle) -> Self {
+    pub(crate) fn take(simulation: &mut Cycle) -> Self {
         // Memory that each visit fills anew may be as large as the mesh.
         let interactions = simulation.work.interactions.iter_mut();
         let interactions = interactions.map(|one| {
@@ -263,7 +263,7 @@ impl NodalSnapshot {
         }
     }
 
-    pub(in crate::simulation) fn put_back(self, simulation: &mut Cycle) {
+    pub(crate) fn put_back(self, simulation: &mut Cycle) {
         let interactions = simulation.work.interactions.iter_mut();
         for (one, mut was) in interactions.zip(self.interactions) {
             if let Some(scratch) = one.take_scratch() {

@@ -69,7 +69,7 @@ impl Cycle {
     }
 
     /// The range of the first law that has no energy at large strain, where the largest change of volume lies beyond it.
-    pub(in crate::simulation) fn exceeded_range(&self, extremes: &Extremes) -> Option<StrainRange> {
+    pub(crate) fn exceeded_range(&self, extremes: &Extremes) -> Option<StrainRange> {
         let mut ranges = self
             .model
             .bodies

@@ -9,10 +9,7 @@ use crate::stage::g2p::FaultKind;
 
 impl Cycle {
     /// Stops for a fault, or removes particles outside the mesh where the scene says so.
-    pub(in crate::simulation) fn judge(
-        &mut self,
-        faults: &[(usize, usize, FaultKind)],
-    ) -> Result<(), StepError> {
+    pub(crate) fn judge(&mut self, faults: &[(usize, usize, FaultKind)]) -> Result<(), StepError> {
         for &(set, p, kind) in faults {
             match self.fatal(set, p, kind) {
                 Some(kind) => return Err(self.error(kind)),
@@ -23,12 +20,7 @@ impl Cycle {
     }
 
     /// The error for which a run stops; `None` for a particle that is removed.
-    pub(in crate::simulation) fn fatal(
-        &self,
-        set: usize,
-        p: usize,
-        kind: FaultKind,
-    ) -> Option<StepErrorKind> {
+    pub(crate) fn fatal(&self, set: usize, p: usize, kind: FaultKind) -> Option<StepErrorKind> {
         match kind {
             FaultKind::NotFinite => Some(self.not_finite(set, p)),
             FaultKind::Inverted => Some(StepErrorKind::Inverted(self.particle_at(set, p))),
@@ -40,7 +32,7 @@ impl Cycle {
     }
 
     /// Removes all particles of a set outside the mesh, and closes their accounts.
-    pub(in crate::simulation) fn remove_outside(&mut self, set: usize) -> Result<(), StepError> {
+    pub(crate) fn remove_outside(&mut self, set: usize) -> Result<(), StepError> {
         let (gone, here) = match self.outside(set) {
             Ok(gone) => {
                 let own = self.own_particles(&self.state.sets[set]);
@@ -131,12 +123,12 @@ impl Cycle {
         }
     }
 
-    pub(in crate::simulation) fn particle_at(&self, set: usize, p: usize) -> ParticleAt {
+    pub(crate) fn particle_at(&self, set: usize, p: usize) -> ParticleAt {
         self.view().particle_at(set, p)
     }
 
     /// Takes four nodes per axis once a particle domain exceeds half a cell.
-    pub(in crate::simulation) fn widen_stencil(&mut self) -> Result<(), StepError> {
+    pub(crate) fn widen_stencil(&mut self) -> Result<(), StepError> {
         let half_length = self
             .state
             .found

@@ -16,7 +16,7 @@ const MOST: f64 = 0.05;
 
 impl Cycle {
     /// A warning where stress at the start is out of balance; `None` where there is none, or where it cannot be measured.
-    pub(in crate::simulation) fn initial_imbalance(&mut self) -> Option<String> {
+    pub(crate) fn initial_imbalance(&mut self) -> Option<String> {
         if !self.model.settings.starts_stressed {
             return None;
         }

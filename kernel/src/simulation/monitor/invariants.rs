@@ -50,7 +50,7 @@ impl Cycle {
     }
 
     /// Momentum of particles and nodes, for a step at which is looked; velocities of the nodes are final.
-    pub(in crate::simulation) fn momentum_to_watch(&self, step: u64) -> Option<Momentum> {
+    pub(crate) fn momentum_to_watch(&self, step: u64) -> Option<Momentum> {
         (Self::looks_after(step) && !self.near_a_plane()).then(|| {
             let (change, scale) = self.change_at_nodes();
             Momentum {
@@ -63,11 +63,7 @@ impl Cycle {
     }
 
     /// Looks at a step that has ended.
-    pub(in crate::simulation) fn watch(
-        &mut self,
-        info: &StepInfo,
-        drift: &Drift,
-    ) -> Result<(), StepError> {
+    pub(crate) fn watch(&mut self, info: &StepInfo, drift: &Drift) -> Result<(), StepError> {
         let squares = self.state.found.iter().map(|found| found.increment_squared);
         let increment = squares.fold(0.0, f64::max).sqrt();
         self.state.invariants.increment = self.state.invariants.increment.max(increment);
@@ -93,7 +89,7 @@ impl Cycle {
     }
 
     /// True if all work on the bodies is known here.
-    pub(in crate::simulation) fn knows_all_work(&self) -> bool {
+    pub(crate) fn knows_all_work(&self) -> bool {
         self.model.body_force.is_none() && !self.model.has_own
     }
 

@@ -67,7 +67,7 @@ impl Cycle {
     }
 
     /// Kinetic energy, strain energy, and dead load times position, with the same bits as each of them alone, in one pass.
-    pub(in crate::simulation) fn energies(&self) -> [f64; 3] {
+    pub(crate) fn energies(&self) -> [f64; 3] {
         let terms = |index: usize, p: usize| {
             let set = &self.state.sets[index];
             let strain = self.strain_energy_of(index, p);
@@ -103,7 +103,7 @@ impl Cycle {
     }
 
     /// Work that returns to yield surfaces leave neither stored nor dissipated \[J\].
-    pub(in crate::simulation) fn algorithmic_work(&self) -> f64 {
+    pub(crate) fn algorithmic_work(&self) -> f64 {
         self.yielding().map(|(_, energy)| energy.algorithmic).sum()
     }
 
@@ -195,7 +195,7 @@ impl Cycle {
     }
 
     /// Sums over all particles.
-    pub(in crate::simulation) fn sums<const K: usize>(
+    pub(crate) fn sums<const K: usize>(
         &self,
         terms: impl Fn(&ParticleSet, usize) -> [f64; K] + Sync,
     ) -> [f64; K] {
@@ -203,7 +203,7 @@ impl Cycle {
     }
 
     /// Sums over the particles of the bodies for which `counts`, of terms by body and particle.
-    pub(in crate::simulation) fn sums_by_body<const K: usize>(
+    pub(crate) fn sums_by_body<const K: usize>(
         &self,
         counts: impl Fn(usize) -> bool,
         terms: impl Fn(usize, usize) -> [f64; K] + Sync,
@@ -229,7 +229,7 @@ impl Cycle {
     }
 
     /// Sums over the particles of a set.
-    pub(in crate::simulation) fn sums_over<const K: usize>(
+    pub(crate) fn sums_over<const K: usize>(
         &self,
         set: &ParticleSet,
         terms: impl Fn(usize) -> [f64; K] + Sync,
@@ -241,7 +241,7 @@ impl Cycle {
     }
 
     /// Sum of dead load times position: weight and box loads; and the work of what holds pore pressures.
-    pub(in crate::simulation) fn dead_load_potential(&self) -> f64 {
+    pub(crate) fn dead_load_potential(&self) -> f64 {
         self.sum(|set, p| self.dead_load(set, p))
     }
 
@@ -273,7 +273,7 @@ impl Cycle {
 }
 
 /// Kinetic energy of a particle \[J\].
-pub(in crate::simulation) fn kinetic_energy_of(set: &ParticleSet, p: usize) -> f64 {
+pub(crate) fn kinetic_energy_of(set: &ParticleSet, p: usize) -> f64 {
     let v = set.velocity(p);
     0.5 * set.columns[Layout::MASS][p] * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2])
 }

@@ -12,7 +12,7 @@ use crate::simulation::values::{EventKind, Spin};
 
 impl Cycle {
     /// Angular momentum of the particles, where nothing outside can turn them and FLIP moves them.
-    pub(in crate::simulation) fn spin(&self) -> Option<Spin> {
+    pub(crate) fn spin(&self) -> Option<Spin> {
         self.is_left_alone().then_some(())?;
         let [mass, center @ .., px, py, pz] = self.sums(|set, p| {
             let (m, x, v) = (mass_of(set, p), set.position(p), set.velocity(p));
@@ -46,7 +46,7 @@ impl Cycle {
 
     /// Share of the angular momentum of the start that is gone, over the sum of its magnitudes; `None` where it is not
     /// known to have to stay.
-    pub(in crate::simulation) fn lost_spin(&self) -> Option<f64> {
+    pub(crate) fn lost_spin(&self) -> Option<f64> {
         let (start, now) = (self.state.start_spin?, self.spin()?);
         let removed =
             |event: &crate::simulation::Event| matches!(event.kind, EventKind::Removed(_));

@@ -15,7 +15,7 @@ use std::any::Any;
 
 impl<'a> StepView<'a> {
     /// View of a simulation in parts.
-    pub(in crate::simulation) fn of(
+    pub(crate) fn of(
         model: &'a Model,
         state: &'a State,
         grid: &'a Grid,
@@ -40,7 +40,7 @@ impl<'a> StepView<'a> {
 
 impl<'a> StepUpdate<'a> {
     /// View of a simulation in parts.
-    pub(in crate::simulation) fn of(
+    pub(crate) fn of(
         model: &'a Model,
         state: &'a mut State,
         grid: &'a mut Grid,
@@ -68,12 +68,12 @@ impl<'a> StepUpdate<'a> {
 
 impl Cycle {
     /// All interactions.
-    pub(in crate::simulation) fn interactions(&self) -> impl Iterator<Item = &dyn Interaction> {
+    pub(crate) fn interactions(&self) -> impl Iterator<Item = &dyn Interaction> {
         self.work.interactions.iter().map(|one| &**one)
     }
 
     /// Traits of all interactions in the energy balance.
-    pub(in crate::simulation) fn balance_traits(&self) -> BalanceTraits {
+    pub(crate) fn balance_traits(&self) -> BalanceTraits {
         self.interactions()
             .fold(BalanceTraits::default(), |all, one| all.and(one.balance()))
     }
@@ -99,10 +99,7 @@ impl Cycle {
     }
 
     /// Calls `act` for each interaction with the view of this step.
-    pub(in crate::simulation) fn each(
-        &mut self,
-        mut act: impl FnMut(&mut dyn Interaction, &StepView<'_>),
-    ) {
+    pub(crate) fn each(&mut self, mut act: impl FnMut(&mut dyn Interaction, &StepView<'_>)) {
         let share = self.work.share.as_ref();
         let view = StepView::of(&self.model, &self.state, &self.work.grid, share);
         for one in &mut self.work.interactions {
@@ -111,7 +108,7 @@ impl Cycle {
     }
 
     /// After a sort: which bodies need a field of their own.
-    pub(in crate::simulation) fn sorted(&mut self) {
+    pub(crate) fn sorted(&mut self) {
         self.each(Interaction::sorted);
         self.set_fields();
     }
@@ -163,12 +160,12 @@ impl Cycle {
     }
 
     /// True if gaps and forces are sought between the mapping and the choice of the time step.
-    pub(in crate::simulation) fn detects(&self) -> bool {
+    pub(crate) fn detects(&self) -> bool {
         self.interactions().any(Interaction::detects)
     }
 
     /// Contact detection: gaps, forces, and the time steps that they allow.
-    pub(in crate::simulation) fn detect_contact(&mut self) -> Result<(), StepError> {
+    pub(crate) fn detect_contact(&mut self) -> Result<(), StepError> {
         if self.detects() {
             let free_step = self.free_step();
             let mut found = Ok(());
@@ -185,10 +182,7 @@ impl Cycle {
 
     /// Interactions act on the velocities of all slabs together, and the sums over the nodes are taken after it where they change
     /// them; the number of nodes or vertices where a contact force acts.
-    pub(in crate::simulation) fn settle(
-        &mut self,
-        nodal: &NodalConditions,
-    ) -> Result<usize, StepError> {
+    pub(crate) fn settle(&mut self, nodal: &NodalConditions) -> Result<usize, StepError> {
         let settles = self.interactions().any(Interaction::settles);
         self.exchange_to_settle();
         let WorkState {
@@ -219,7 +213,7 @@ impl Cycle {
     }
 
     /// The same for velocities that were mapped a second time.
-    pub(in crate::simulation) fn settle_remapped(
+    pub(crate) fn settle_remapped(
         &mut self,
         nodal: &NodalConditions,
         remap: Remap,
@@ -239,11 +233,7 @@ impl Cycle {
     }
 
     /// Moves the boundaries of interactions with the velocities after the equation of motion.
-    pub(in crate::simulation) fn move_boundaries(
-        &mut self,
-        nodal: &NodalConditions,
-        drift: &Drift,
-    ) {
+    pub(crate) fn move_boundaries(&mut self, nodal: &NodalConditions, drift: &Drift) {
         if self.detects() {
             self.each(|one, view| one.move_boundaries(view, nodal, drift));
             self.work.phase_timer.end(Phase::Contact);

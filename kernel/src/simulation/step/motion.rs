@@ -10,14 +10,14 @@ use crate::simulation::water;
 use crate::stage::solve::{Acceleration, EmptyNode, ExactStepSums, Planes, Wall};
 
 /// The interactions on one slab, with the timer of the phases where a visit is of one slab alone.
-pub(in crate::simulation) struct SlabInteractions<'v, 'a> {
-    pub(in crate::simulation) parts: &'v mut [SlabPart<'a>],
-    pub(in crate::simulation) timer: Option<&'v mut PhaseTimer>,
+pub(crate) struct SlabInteractions<'v, 'a> {
+    pub(crate) parts: &'v mut [SlabPart<'a>],
+    pub(crate) timer: Option<&'v mut PhaseTimer>,
 }
 
 impl SlabInteractions<'_, '_> {
     /// Nothing acts.
-    pub(in crate::simulation) fn none() -> Self {
+    pub(crate) fn none() -> Self {
         Self {
             parts: &mut [],
             timer: None,
@@ -44,7 +44,7 @@ impl SlabInteractions<'_, '_> {
 }
 
 /// From mapped sums to velocities that keep to the conditions and to each other, with the sums over the nodes of the slab.
-pub(in crate::simulation) fn solve(
+pub(crate) fn solve(
     slab: &mut Slab<'_>,
     mut interactions: SlabInteractions<'_, '_>,
     context: &StepContext<'_>,
@@ -105,18 +105,14 @@ fn equation_of_motion(field: &mut FieldNodes<'_, '_>) -> Result<(), EmptyNode> {
 }
 
 /// Ghost nodes of all fields, and the sums with the velocities that they hold.
-pub(in crate::simulation) fn sums_after(
-    slab: &mut Slab<'_>,
-    context: &StepContext<'_>,
-    sums: &mut ExactStepSums,
-) {
+pub(crate) fn sums_after(slab: &mut Slab<'_>, context: &StepContext<'_>, sums: &mut ExactStepSums) {
     unfold(slab, context, true);
     sums.clear();
     add_sums(slab, context, sums);
 }
 
 /// After the first mapping of a step: what lies beyond the walls folded back, and velocities from momenta.
-pub(in crate::simulation) fn fold(slab: &mut Slab<'_>, context: &StepContext<'_>) {
+pub(crate) fn fold(slab: &mut Slab<'_>, context: &StepContext<'_>) {
     for field in &mut slab.fields {
         water::fold_open(field, context.walls_of(field.owner), 0..8);
         field.planes.fold(context.walls_of(field.owner), true, true);
@@ -154,7 +150,7 @@ fn add_sums(slab: &mut Slab<'_>, context: &StepContext<'_>, sums: &mut ExactStep
 
 /// From sums that were mapped again, to the upper lanes (MUSL), to velocities that keep to the conditions and to each
 /// other.
-pub(in crate::simulation) fn solve_remapped(
+pub(crate) fn solve_remapped(
     slab: &mut Slab<'_>,
     mut interactions: SlabInteractions<'_, '_>,
     context: &StepContext<'_>,
@@ -184,7 +180,7 @@ pub(in crate::simulation) fn solve_remapped(
 }
 
 /// The same for momentum that was mapped at new positions, to the lower lanes (USF).
-pub(in crate::simulation) fn solve_mapped(
+pub(crate) fn solve_mapped(
     slab: &mut Slab<'_>,
     mut interactions: SlabInteractions<'_, '_>,
     context: &StepContext<'_>,
@@ -241,14 +237,14 @@ fn for_masses(planes: &mut Planes<'_>, act: impl Fn(&mut Line)) {
 impl StepContext<'_> {
     /// The first mapping of a step: mass, velocity and force of all fields; the number of groups in the layers of
     /// particles that the slab owns.
-    pub(in crate::simulation) fn map(&self, slab: &mut Slab<'_>) -> usize {
+    pub(crate) fn map(&self, slab: &mut Slab<'_>) -> usize {
         let groups = self.mapping.run(slab);
         fold(slab, self);
         groups
     }
 
     /// Groups of the own particles of a rank that shares the rows of its planes; those of whole layers are counted in the mapping.
-    pub(in crate::simulation) fn groups_of_rows(&self, grid: &Grid) -> usize {
+    pub(crate) fn groups_of_rows(&self, grid: &Grid) -> usize {
         if grid.shares_rows() {
             self.mapping.groups_of_rows(&grid.block(), &grid.shape)
         } else {
@@ -257,7 +253,7 @@ impl StepContext<'_> {
     }
 
     /// The same for a second mapping, of the velocities after the kick.
-    pub(in crate::simulation) fn remap(mut self, remap: Remap) -> Self {
+    pub(crate) fn remap(mut self, remap: Remap) -> Self {
         self.walls = at_half_step_after(&self.walls);
         self.remap = Some(remap);
         self
@@ -273,7 +269,7 @@ impl StepContext<'_> {
     }
 
     /// Velocities half a step before and after \[m/s\] where the motion of the whole field is prescribed.
-    pub(in crate::simulation) fn prescribed(&self, owner: Owner) -> Option<&[Vector; 2]> {
+    pub(crate) fn prescribed(&self, owner: Owner) -> Option<&[Vector; 2]> {
         self.prescribed[owner.body()?].as_ref()
     }
 }

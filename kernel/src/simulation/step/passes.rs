@@ -29,11 +29,11 @@ const SORT_AFTER_GROUPS: f64 = 0.5;
 type BodyMaxima = SmallVec<[(usize, ParticleMaxima); 8]>;
 
 /// The parts of a simulation in a visit of the slabs.
-pub(in crate::simulation) struct VisitParts<'a> {
+pub(crate) struct VisitParts<'a> {
     /// Input of the visit.
-    pub(in crate::simulation) context: StepContext<'a>,
+    pub(crate) context: StepContext<'a>,
     /// The grid.
-    pub(in crate::simulation) grid: &'a mut Grid,
+    pub(crate) grid: &'a mut Grid,
     /// The interactions.
     interactions: &'a mut Interactions,
     /// The timer of the phases.
@@ -42,7 +42,7 @@ pub(in crate::simulation) struct VisitParts<'a> {
 
 impl Cycle {
     /// Divides the simulation for a visit of the slabs.
-    pub(in crate::simulation) fn divide<'a>(
+    pub(crate) fn divide<'a>(
         &'a mut self,
         carry: Carry,
         nodal: &'a NodalConditions,
@@ -83,7 +83,7 @@ impl Cycle {
     }
 
     /// Sorts particles once they have travelled far enough since the last sort; whether it did.
-    pub(in crate::simulation) fn sort_if_stale(&mut self) -> bool {
+    pub(crate) fn sort_if_stale(&mut self) -> bool {
         let superfluous = self.state.groups.superfluous as f64;
         let stale = self.state.travel > SORT_AFTER
             || superfluous > SORT_AFTER_GROUPS * self.particles() as f64;
@@ -102,7 +102,7 @@ impl Cycle {
 
     /// Asks the system for the memory of nodes that particles reach since a sort, where they have become many more: without it a
     /// process ends without a word.
-    pub(in crate::simulation) fn ask_for_nodes(&mut self) -> Result<(), StepError> {
+    pub(crate) fn ask_for_nodes(&mut self) -> Result<(), StepError> {
         let growth = self.work.grid.touched.growth();
         let asked = growth.map_or(Ok(()), |nodes| {
             let bytes = nodes as f64 * (size_of::<Line>() * self.work.grid.fields.len()) as f64;
@@ -115,12 +115,12 @@ impl Cycle {
 
     /// True if P2G is a pass of its own, since an interaction or a condition reads the nodes before the equation of motion.
     /// Elsewhere one visit of each slab does both.
-    pub(in crate::simulation) fn has_separate_p2g(&self) -> bool {
+    pub(crate) fn has_separate_p2g(&self) -> bool {
         self.detects() || self.model.conditions.iter().any(|one| one.reads_masses())
     }
 
     /// P2G: mass, momentum and force to the nodes of all fields.
-    pub(in crate::simulation) fn p2g(&mut self) {
+    pub(crate) fn p2g(&mut self) {
         let nodal = self.nodal_conditions(self.state.clock.dt_before);
         let VisitParts { context, grid, .. } = self.divide(Carry::All, &nodal);
         let groups = AtomicUsize::new(context.groups_of_rows(grid));
@@ -136,7 +136,7 @@ impl Cycle {
     }
 
     /// P2G and contact detection, where they come before the equation of motion.
-    pub(in crate::simulation) fn prepare_solve(&mut self) -> Result<(), StepError> {
+    pub(crate) fn prepare_solve(&mut self) -> Result<(), StepError> {
         self.evaluate_body_force();
         if self.has_separate_p2g() {
             self.p2g();
@@ -147,10 +147,7 @@ impl Cycle {
 
     /// The equation of motion of all fields, with P2G where it has not come before; the number of nodes or vertices where an
     /// interaction acts.
-    pub(in crate::simulation) fn complete_solve(
-        &mut self,
-        nodal: &NodalConditions,
-    ) -> Result<usize, StepError> {
+    pub(crate) fn complete_solve(&mut self, nodal: &NodalConditions) -> Result<usize, StepError> {
         if self.has_separate_p2g() {
             self.solve(nodal)
         } else {
@@ -159,19 +156,13 @@ impl Cycle {
     }
 
     /// The equation of motion of all fields on the nodal sums; the number of nodes or vertices where an interaction acts.
-    pub(in crate::simulation) fn solve(
-        &mut self,
-        nodal: &NodalConditions,
-    ) -> Result<usize, StepError> {
+    pub(crate) fn solve(&mut self, nodal: &NodalConditions) -> Result<usize, StepError> {
         let (touching, _) = self.visit_and_solve(nodal, false)?;
         Ok(touching)
     }
 
     /// P2G and the equation of motion, slab by slab in one visit; the number of nodes or vertices where an interaction acts.
-    pub(in crate::simulation) fn p2g_and_solve(
-        &mut self,
-        nodal: &NodalConditions,
-    ) -> Result<usize, StepError> {
+    pub(crate) fn p2g_and_solve(&mut self, nodal: &NodalConditions) -> Result<usize, StepError> {
         let (touching, groups) = self.visit_and_solve(nodal, true)?;
         self.state.groups.count(groups);
         Ok(touching)
@@ -241,7 +232,7 @@ impl Cycle {
 
     /// The equation of motion on the sums that lie on the nodes, without interactions. A load on an empty node, which a step
     /// would report, is left to the step.
-    pub(in crate::simulation) fn solve_alone(&mut self, nodal: &NodalConditions) {
+    pub(crate) fn solve_alone(&mut self, nodal: &NodalConditions) {
         let mut solved = self.solved();
         let VisitParts { context, grid, .. } = self.divide(Carry::All, nodal);
         grid.visit_with(solved.iter_mut(), |mut slab, solved| {
@@ -254,7 +245,7 @@ impl Cycle {
 
     /// Ghost nodes of the equation of motion once more, with the velocities that are there now, and their sums, which are added
     /// to those of the step.
-    pub(in crate::simulation) fn add_settled_sums(&mut self, nodal: &NodalConditions) {
+    pub(crate) fn add_settled_sums(&mut self, nodal: &NodalConditions) {
         let mut solved = self.solved();
         let VisitParts { context, grid, .. } = self.divide(Carry::All, nodal);
         grid.visit_with(solved.iter_mut(), |mut slab, solved| {
@@ -272,7 +263,7 @@ impl Cycle {
     }
 
     /// The remap: a second P2G of the velocities after the kick, for MUSL at the old positions, for USF at the new ones.
-    pub(in crate::simulation) fn remap(
+    pub(crate) fn remap(
         &mut self,
         nodal: &mut NodalConditions,
         remap: Remap,
@@ -322,7 +313,7 @@ impl Cycle {
     }
 
     /// Runs a G2P task on the particles of all bodies that are not driven.
-    pub(in crate::simulation) fn run_g2p(&mut self, task: Task) -> Result<(), StepError> {
+    pub(crate) fn run_g2p(&mut self, task: Task) -> Result<(), StepError> {
         let nodes = self.model.family().stage_nodes(self.state.stencil);
         let plan = &self.model.plan;
         let call = g2p::instance(plan.axes, plan.axisymmetric, nodes, &task);

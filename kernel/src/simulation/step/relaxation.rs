@@ -9,7 +9,7 @@ impl Cycle {
     /// the positions back to it \[s\].
     ///
     /// The energies at t - 3dt/2, t - dt/2 and t + dt/2 define a parabola whose vertex lies in (t - dt, t).
-    pub(in crate::simulation) fn peak_of_kinetic_energy(&mut self, info: &StepInfo) -> Option<f64> {
+    pub(crate) fn peak_of_kinetic_energy(&mut self, info: &StepInfo) -> Option<f64> {
         if !self.model.plan.kinetic_damping {
             return None;
         }
@@ -30,7 +30,7 @@ impl Cycle {
     }
 
     /// Sets all velocities to zero, at the time of the positions.
-    pub(in crate::simulation) fn stop_motion(&mut self) {
+    pub(crate) fn stop_motion(&mut self) {
         self.state.clock.dt_before = 0.0;
         for set in &mut self.state.sets {
             let first = Layout::velocity(set.layout.axes);
