@@ -8,7 +8,7 @@ use proctor_verification::generated::{self, Deviation, Dice, FinalState, QUESTIO
 const SEED: u64 = 1;
 
 #[test]
-#[ignore = "long: `cargo test -- --include-ignored` runs it, as CI does"]
+#[ignore = "takes 10 s in a release: `cargo test -- --include-ignored` runs it, as CI does"]
 fn two_hundred_scenes_hold() {
     let mut counts: BTreeMap<&str, u32> = BTreeMap::new();
     let mut wrong = vec![];

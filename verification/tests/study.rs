@@ -63,7 +63,7 @@ impl Observer for Watch {
 }
 
 #[test]
-#[ignore = "long: `cargo test -- --include-ignored` runs it, as CI does"]
+#[ignore = "takes 18 s in a release: `cargo test -- --include-ignored` runs it, as CI does"]
 fn own_settings_give_the_same_bits_watched_or_not() {
     for study in all() {
         let rung = coarsest(study);

@@ -23,7 +23,7 @@ fn rows(path: &str) -> Vec<Value> {
 }
 
 #[test]
-#[ignore = "long: `cargo test -- --include-ignored` runs it, as CI does"]
+#[ignore = "takes 17 s in a release: `cargo test -- --include-ignored` runs it, as CI does"]
 fn reports_stand_beside_their_references_and_are_no_errors() {
     let desk = Desk::new();
     let config = json!({ "executables": {

@@ -371,7 +371,7 @@ fn a_stress_that_is_off_is_seen_and_one_that_is_missing_is_no_error() {
 }
 
 #[test]
-#[ignore = "long: `cargo test -- --include-ignored` runs it, as CI does"]
+#[ignore = "takes 10 s in a release: `cargo test -- --include-ignored` runs it, as CI does"]
 fn the_cases_that_solvers_know_can_be_handed_over() {
     for (case, measure, bound) in [
         ("step-bar", "displacement", 0.05),

@@ -86,7 +86,7 @@ fn the_names_of_the_cases_can_be_had() {
 
 /// Cases on ranks have the errors of one process, bit by bit; those that ranks do not share are left out by name.
 #[test]
-#[ignore = "long: `cargo test -- --include-ignored` runs it, as CI does"]
+#[ignore = "takes 17 s in a release: `cargo test -- --include-ignored` runs it, as CI does"]
 fn cases_on_ranks_have_the_errors_of_one_process() {
     let desk = Desk::new();
     // Waves, contact of bodies, driven shapes, absorbing planes; then mortar contact, which ranks do not share.

@@ -367,7 +367,7 @@ fn python() -> bool {
 }
 
 #[test]
-#[ignore = "long: `cargo test -- --include-ignored` runs it, as CI does"]
+#[ignore = "takes 36 s in a release: `cargo test -- --include-ignored` runs it, as CI does"]
 fn every_command_of_the_documents_runs() {
     let mut faults = vec![];
     let (mut checked, mut shown) = (0, 0);

@@ -95,7 +95,7 @@ fn pressed(
 }
 
 #[test]
-#[ignore = "long: `cargo test -- --include-ignored` runs it, as CI does"]
+#[ignore = "takes 13 s in a release: `cargo test -- --include-ignored` runs it, as CI does"]
 fn a_block_on_a_plate_has_one_stress_wherever_the_face_lies() {
     let weightings = [
         Weighting::UniformGimp,

@@ -53,7 +53,7 @@ fn threads_and_lanes_change_no_bit_of_contact() {
 
 /// One scene of each kind, with every weighting function, scheme and transfer that it accepts.
 #[test]
-#[ignore = "long: `cargo test -- --include-ignored` runs it, as CI does"]
+#[ignore = "takes 61 s in a release: `cargo test -- --include-ignored` runs it, as CI does"]
 fn threads_and_lanes_change_no_bit_of_contact_whatever_the_method() {
     let lanes = lanes();
     let mut compared = 0;

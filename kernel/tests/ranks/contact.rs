@@ -54,7 +54,7 @@ pub(super) fn sliding(scene: &Scene) -> InitialField {
 }
 
 #[test]
-#[ignore = "long: `cargo test -- --include-ignored` runs it, as CI does"]
+#[ignore = "takes 22 s in a release: `cargo test -- --include-ignored` runs it, as CI does"]
 fn ranks_touch_as_one_process() {
     let stretch = Weighting::ContiguousGimp(DomainUpdate::Stretch);
     let weightings = [Weighting::UniformGimp, stretch, Weighting::QuadraticBSpline];

@@ -59,7 +59,7 @@ pub(super) fn along(scene: &Scene) -> InitialField {
 }
 
 #[test]
-#[ignore = "long: `cargo test -- --include-ignored` runs it, as CI does"]
+#[ignore = "takes 12 s in a release: `cargo test -- --include-ignored` runs it, as CI does"]
 fn ranks_ride_on_a_driven_plate() {
     let stretch = Weighting::ContiguousGimp(DomainUpdate::Stretch);
     let methods: [(Weighting, Transfer); 3] = [

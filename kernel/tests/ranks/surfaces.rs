@@ -32,7 +32,7 @@ pub(super) fn on_a_slope(friction: f64) -> Scene {
 }
 
 #[test]
-#[ignore = "long: `cargo test -- --include-ignored` runs it, as CI does"]
+#[ignore = "takes 10 s in a release: `cargo test -- --include-ignored` runs it, as CI does"]
 fn ranks_rest_on_surfaces_as_one_process() {
     let damped = Damping::Local { alpha: 0.2 };
     for (scheme, transfer, friction, damping) in [
@@ -97,7 +97,7 @@ pub(super) fn beside_driven_bodies() -> Scene {
 }
 
 #[test]
-#[ignore = "long: `cargo test -- --include-ignored` runs it, as CI does"]
+#[ignore = "takes 9 s in a release: `cargo test -- --include-ignored` runs it, as CI does"]
 fn ranks_rest_on_surfaces_beside_driven_bodies() {
     let damped = Damping::Local { alpha: 0.2 };
     for (scheme, transfer, damping) in [

@@ -102,7 +102,7 @@ fn the_printed_consolidation_drains_as_the_series() {
 /// Gravity that comes on at once: the column swings about a state that drains. Means over a period of the swing are those of the
 /// series for all of the five seconds, a third of the consolidation.
 #[test]
-#[ignore = "long: `cargo test -- --include-ignored` runs it, as CI does"]
+#[ignore = "takes 9 s in a release: `cargo test -- --include-ignored` runs it, as CI does"]
 fn the_printed_two_phases_drain_as_the_series() {
     const TIMES: usize = 40;
     let scene = scene("two_phase");

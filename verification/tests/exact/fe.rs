@@ -158,7 +158,7 @@ fn frequency_of_a_confined_bar() {
 }
 
 #[test]
-#[ignore = "long: `cargo test -- --include-ignored` runs it, as CI does"]
+#[ignore = "takes 15 s in a release: `cargo test -- --include-ignored` runs it, as CI does"]
 fn frequency_of_a_slender_cantilever() {
     // Euler-Bernoulli in plane strain: omega = 1.875104² sqrt(E'/(12 rho)) h/L², E' = E/(1 - nu²). At L/h = 20 shear and
     // rotational inertia lengthen the period by 0.6 %; what elements that are too stiff in bending take is extrapolated.

@@ -41,7 +41,7 @@ fn a_body_between_planes_keeps_its_orders() {
 
 /// All points yield: von Mises with hardening, and Drucker-Prager off its apex under a uniform stress.
 #[test]
-#[ignore = "long: `cargo test -- --include-ignored` runs it, as CI does"]
+#[ignore = "takes 10 s in a release: `cargo test -- --include-ignored` runs it, as CI does"]
 fn a_yielding_body_in_a_frame_keeps_its_orders() {
     let usl = method(StressScheme::Usl, TransferKind::Flip);
     holds(&problem(Family::Frame, Kind::VonMises, usl));
@@ -54,7 +54,7 @@ fn a_yielding_body_in_a_frame_keeps_its_orders() {
 
 /// On a face of the pyramid everywhere.
 #[test]
-#[ignore = "long: `cargo test -- --include-ignored` runs it, as CI does"]
+#[ignore = "takes 7 s in a release: `cargo test -- --include-ignored` runs it, as CI does"]
 fn a_clay_in_a_frame_keeps_its_orders() {
     let usl = method(StressScheme::Usl, TransferKind::Apic);
     holds(&problem(Family::Frame, Kind::Tresca, usl));

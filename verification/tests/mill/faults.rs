@@ -184,7 +184,7 @@ fn wrong_rates_of_an_elastic_law_fail() {
 }
 
 #[test]
-#[ignore = "long: `cargo test -- --include-ignored` runs it, as CI does"]
+#[ignore = "takes 12 s in a release: `cargo test -- --include-ignored` runs it, as CI does"]
 fn wrong_rates_of_a_yielding_law_fail() {
     let frame = problem(Family::Frame, Kind::VonMises, USL);
     let law: VonMises = frame.material.von_mises();
@@ -218,7 +218,7 @@ fn a_boundary_at_another_time_level_fails() {
 
 /// A reference whose field, or frame where there is no field, is off by a tenth fails in every family.
 #[test]
-#[ignore = "long: `cargo test -- --include-ignored` runs it, as CI does"]
+#[ignore = "takes 13 s in a release: `cargo test -- --include-ignored` runs it, as CI does"]
 fn a_wrong_reference_fails() {
     for (family, kind) in [
         (Family::Box, Kind::NeoHookean),
