@@ -110,3 +110,23 @@ fn no_step_takes_memory_whatever_the_method() {
         }
     }
 }
+
+/// A look at the energy balance has the memory of a sort for its copy of the nodes and gives it back: steps after it take none.
+#[test]
+fn energy_has_the_memory_of_a_sort() {
+    let mut simulation = simulation(&flight(Dimension::Three, StressScheme::Usl, 12));
+    run(&mut simulation, 300);
+    let lists = 2 * size_of::<u32>() * simulation.sets()[0].len();
+    let info = allocation_counter::measure(|| {
+        simulation.energy();
+    });
+    assert_eq!(info.bytes_current, 0);
+    // Freed before the copy is made, taken again after it.
+    let (most, all) = (info.bytes_max, info.bytes_total);
+    assert!(
+        most + 2 * lists as u64 <= all,
+        "{most} B at once, {all} in all, {lists} for a sort"
+    );
+    let info = allocation_counter::measure(|| run(&mut simulation, 100));
+    assert_eq!(info.count_total, 0);
+}

@@ -146,6 +146,7 @@ fn other_settings_reach_the_scene_and_its_step() {
 }
 
 #[test]
+#[ignore = "takes 6 s in a release: `cargo test -- --include-ignored` runs it, as CI does"]
 fn measures_are_quantities_with_errors() {
     for study in all() {
         let rung = coarsest(study);

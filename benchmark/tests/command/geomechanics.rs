@@ -74,6 +74,7 @@ fn adapter() -> String {
 
 /// One body on a held one becomes a body on triangles, and the frames have the particles of both.
 #[test]
+#[ignore = "takes 8 s in a release: `cargo test -- --include-ignored` runs it, as CI does"]
 fn a_block_on_a_held_base_slides_on_a_surface() {
     let desk = Desk::new();
     let Some(program) = program(&desk) else {

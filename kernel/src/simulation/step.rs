@@ -18,6 +18,10 @@ use crate::stage::g2p::{Affine, Task};
 use crate::team::{ItemCost, Team};
 use std::sync::Arc;
 
+/// The lane of a node at which velocities begin: those of the equation of motion, and those that were mapped again.
+const SOLVED: usize = 1;
+const REMAPPED: usize = 4;
+
 /// A G2P pass: the part of the update of the particles that it does.
 #[derive(Clone, Copy)]
 enum Pass {
@@ -80,7 +84,7 @@ impl Cycle {
     /// The cycle of a step.
     fn cycle(&mut self, stop: f64) -> Result<StepInfo, StepError> {
         if self.sort_if_stale() {
-            self.ask_for_nodes()?;
+            self.require_memory_of_nodes()?;
         }
         self.evaluate_body_force();
         if self.has_separate_p2g() {
@@ -96,17 +100,14 @@ impl Cycle {
         };
         let drift = self.drift(&mut info);
         self.move_boundaries(&conditions, &drift);
-        self.move_absorbing(&conditions, &drift)?;
+        self.move_absorbing_planes(&conditions, &drift)?;
         match self.model.plan.scheme {
             StressScheme::Usl => {
-                self.gather_water(true, Some((drift.time, 1)))?;
                 self.g2p(Pass::All, &drift)?;
             }
             StressScheme::Musl => {
-                self.gather_water(true, None)?;
                 self.g2p(Pass::Kick, &drift)?;
                 self.remap(&mut conditions, Remap::OldPositions)?;
-                self.gather_water(false, Some((drift.time, 4)))?;
                 self.g2p(Pass::MoveAndStrain, &drift)?;
             }
             StressScheme::Usf => {
@@ -119,8 +120,9 @@ impl Cycle {
         self.finish(&info, &drift)
     }
 
-    /// A G2P pass: nodal values to the particles.
+    /// A G2P pass: nodal values to the particles, those of the pore water first.
     fn g2p(&mut self, pass: Pass, drift: &Drift) -> Result<(), StepError> {
+        self.g2p_of_water(pass, drift)?;
         let time = Some(drift.time);
         let remap = Task {
             affine: Affine::Leave,
@@ -154,6 +156,17 @@ impl Cycle {
         })?;
         self.work.phase_timer.end(Phase::G2p);
         Ok(())
+    }
+
+    /// The pore water's part of a G2P pass: its velocities, and its pressure by the velocities by which the skeleton is strained.
+    fn g2p_of_water(&mut self, pass: Pass, drift: &Drift) -> Result<(), StepError> {
+        match pass {
+            Pass::All => self.gather_water(true, Some((drift.time, SOLVED))),
+            Pass::Kick => self.gather_water(true, None),
+            Pass::MoveAndStrain => self.gather_water(false, Some((drift.time, REMAPPED))),
+            // No water goes with USF.
+            Pass::KickAndMove | Pass::Strain => Ok(()),
+        }
     }
 
     /// The task of a G2P pass that moves particles over `drift` and strains them over `strain` \[s\].

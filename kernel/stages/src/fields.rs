@@ -103,7 +103,8 @@ pub struct Grid {
     pub has_water: bool,
     pub touched: TouchedNodes,
     least_share: usize,
-    sorter: Sorter,
+    /// Sorter of the particles.
+    pub sorter: Sorter,
     cutting: PlaneCounts,
 }
 

@@ -89,6 +89,19 @@ impl Sorter {
         rows.fill(shape, &self.occupied, stencil);
     }
 
+    /// Frees the lists of particles, and returns how many they had room for.
+    pub fn free_lists(&mut self) -> usize {
+        let room = self.keys.capacity().max(self.order.capacity());
+        (self.keys, self.order) = (vec![], vec![]);
+        room
+    }
+
+    /// Takes memory for lists of so many particles.
+    pub fn reserve_lists(&mut self, particles: usize) {
+        self.keys.reserve(particles);
+        self.order.reserve(particles);
+    }
+
     /// Numbers the particles of a set by their base cells.
     fn number(
         &mut self,

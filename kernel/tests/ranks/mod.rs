@@ -24,6 +24,7 @@ use std::sync::Arc;
 use threads::Meddle;
 
 #[test]
+#[ignore = "takes 9 s in a release: `cargo test -- --include-ignored` runs it, as CI does"]
 fn ranks_change_no_bit() {
     let gimp = Weighting::UniformGimp;
     let stretch = Weighting::ContiguousGimp(DomainUpdate::Stretch);

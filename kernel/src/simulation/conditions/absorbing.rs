@@ -173,7 +173,7 @@ impl Cycle {
     ///
     /// # Errors
     /// The material at a plane has moved off it by half a cell: the dashpots, which stay at their nodes, hold nothing there.
-    pub(in crate::simulation) fn move_absorbing(
+    pub(in crate::simulation) fn move_absorbing_planes(
         &mut self,
         nodal: &NodalConditions,
         drift: &Drift,

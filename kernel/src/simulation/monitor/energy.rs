@@ -12,6 +12,7 @@
 
 use super::measure::kinetic_energy_of;
 use crate::exact_sum::ExactSum;
+use crate::fields::VelocityField;
 use crate::grid::{ActiveRows, Line};
 use crate::layout::Layout;
 use crate::particles::ParticleSet;
@@ -177,11 +178,14 @@ impl Cycle {
         let times = [self.velocity_time(), clock.time];
         let nodal = self.nodal_conditions_over(0.5 * clock.dt_before, times, clock.dt_before);
         self.complete_solve(&nodal)?;
-        Ok(HalfStep {
+        let found = HalfStep {
             kinetic: self.change_of_kinetic_energy(&nodal),
             stored,
             sums: self.work.sums,
-        })
+        };
+        // The next step has its memory.
+        self.work.nodal = nodal;
+        Ok(found)
     }
 
     /// Change of the kinetic energy of all fields that move freely in the last equation of motion \[J\].
@@ -217,10 +221,12 @@ pub(crate) struct NodalSnapshot {
     phase_timer: PhaseTimer,
     /// Rows in use, field by field, where ranks share the simulation: messages of a neighbour widen them.
     rows: Option<Vec<ActiveRows>>,
-    /// The nodes in use, field by field.
-    lines: Vec<Vec<Line>>,
+    /// The nodes in use, field by field and row by row: pieces that fit where lists of a sort were.
+    lines: Vec<Vec<Vec<Line>>>,
     /// Forces on particles, which may be functions of time, body by body.
     forces: Vec<Vec<Vec<f64>>>,
+    /// Particles for which a sort had memory, which the nodes have meanwhile.
+    sorted: usize,
 }
 
 impl NodalSnapshot {
@@ -239,18 +245,16 @@ impl NodalSnapshot {
         let sets = simulation.state.sets.iter();
         let forces = sets.map(|set| set.columns[force_columns(set)].to_vec());
         let forces = forces.collect();
-        let grid = &simulation.work.grid;
+        let grid = &mut simulation.work.grid;
+        let sorted = grid.sorter.free_lists();
         let shared = simulation.work.share.is_some();
         let rows = shared.then(|| grid.fields.iter().map(|field| field.rows.clone()).collect());
-        let mut lines = vec![];
-        for field in &grid.fields {
+        let rows_of = |field: &VelocityField| -> Vec<Vec<Line>> {
             let all = field.nodes.lines();
-            let mut own = Vec::with_capacity(field.rows.count());
-            for row in field.rows.nodes(&grid.shape) {
-                own.extend_from_slice(&all[row]);
-            }
-            lines.push(own);
-        }
+            let rows = field.rows.nodes(&grid.shape);
+            rows.map(|row| all[row].to_vec()).collect()
+        };
+        let lines = grid.fields.iter().map(rows_of).collect();
         Self {
             interactions,
             groups: simulation.state.groups,
@@ -260,6 +264,7 @@ impl NodalSnapshot {
             rows,
             lines,
             forces,
+            sorted,
         }
     }
 
@@ -284,13 +289,12 @@ impl NodalSnapshot {
         }
         for (field, lines) in grid.fields.iter_mut().zip(&self.lines) {
             let all = field.nodes.lines_mut();
-            let mut rest = &lines[..];
-            for row in field.rows.nodes(&grid.shape) {
-                let (own, tail) = rest.split_at(row.len());
+            for (row, own) in field.rows.nodes(&grid.shape).zip(lines) {
                 all[row].copy_from_slice(own);
-                rest = tail;
             }
         }
+        drop(self.lines);
+        grid.sorter.reserve_lists(self.sorted);
     }
 }
 

@@ -102,7 +102,7 @@ impl Cycle {
 
     /// Asks the system for the memory of nodes that particles reach since a sort, where they have become many more: without it a
     /// process ends without a word.
-    pub(crate) fn ask_for_nodes(&mut self) -> Result<(), StepError> {
+    pub(crate) fn require_memory_of_nodes(&mut self) -> Result<(), StepError> {
         let growth = self.work.grid.touched.growth();
         let asked = growth.map_or(Ok(()), |nodes| {
             let bytes = nodes as f64 * (size_of::<Line>() * self.work.grid.fields.len()) as f64;
@@ -272,7 +272,7 @@ impl Cycle {
             Remap::OldPositions => Carry::Remap,
             Remap::NewPositions => {
                 if self.sort_if_stale() {
-                    self.ask_for_nodes()?;
+                    self.require_memory_of_nodes()?;
                     // A sort may give a driven body a field, or take it.
                     self.work.nodal = std::mem::take(nodal);
                     *nodal = self.nodal_conditions(self.work.nodal.drift);
